@@ -1,0 +1,39 @@
+#ifndef PXR_IMAGING_HD_SPRIM_H
+#define PXR_IMAGING_HD_SPRIM_H
+
+#include "pxr/pxr.h"
+#include "pxr/imaging/hd/api.h"
+#include "pxr/imaging/hd/types.h"
+#include "pxr/imaging/hd/version.h"
+#include "pxr/usd/sdf/path.h"
+
+PXR_NAMESPACE_OPEN_SCOPE
+
+class HdRenderParam;
+class HdSceneDelegate;
+
+/// A prim that is state and not geometry: a camera, a light, a material.
+class HdSprim {
+public:
+    HD_API HdSprim(SdfPath const &id);
+    HD_API virtual ~HdSprim();
+
+    SdfPath const &GetId() const { return _id; }
+
+    /// Brings the prim up to date with the scene, and clears the bits it has dealt with.
+    virtual void Sync(HdSceneDelegate *sceneDelegate, HdRenderParam *renderParam,
+                      HdDirtyBits *dirtyBits) = 0;
+
+    /// Called before the prim is destroyed, to take it out of what refers to it.
+    HD_API virtual void Finalize(HdRenderParam *renderParam);
+
+    /// The bits that a new prim starts with.
+    virtual HdDirtyBits GetInitialDirtyBitsMask() const = 0;
+
+private:
+    SdfPath _id;
+};
+
+PXR_NAMESPACE_CLOSE_SCOPE
+
+#endif
