@@ -5,6 +5,7 @@
 #include "pxr/imaging/hd/api.h"
 #include "pxr/imaging/hd/changeTracker.h"
 #include "pxr/imaging/hd/resourceRegistry.h"
+#include "pxr/imaging/hd/sceneIndex.h"
 #include "pxr/imaging/hd/version.h"
 #include "pxr/base/tf/token.h"
 #include "pxr/usd/sdf/path.h"
@@ -42,6 +43,7 @@ public:
     HD_API HdRenderDelegate *GetRenderDelegate() const;
     HD_API HdResourceRegistrySharedPtr GetResourceRegistry() const;
     HD_API std::string GetInstanceName() const;
+    HD_API HdSceneIndexBaseRefPtr GetTerminalSceneIndex() const;
 };
 
 PXR_NAMESPACE_CLOSE_SCOPE
