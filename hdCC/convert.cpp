@@ -1,0 +1,130 @@
+#include "hdCC/convert.h"
+
+#include <cmath>
+
+#include "pxr/base/gf/vec3d.h"
+#include "pxr/base/gf/vec3h.h"
+#include "pxr/base/tf/token.h"
+
+PXR_NAMESPACE_OPEN_SCOPE
+
+cc::AffineTransform HdCCToTransform(GfMatrix4d const &m) {
+    std::array<std::array<double, 4>, 3> rows;
+    for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 4; ++column) {
+            rows[row][column] = m[column][row];
+        }
+    }
+    return cc::AffineTransform(rows);
+}
+
+template <class Vec>
+static bool _AppendIfHeld(VtValue const &value, std::vector<cc::Vec3f> *result) {
+    if (value.IsHolding<VtArray<Vec>>()) {
+        VtArray<Vec> const &values = value.UncheckedGet<VtArray<Vec>>();
+        result->reserve(values.size());
+        for (Vec const &v : values) {
+            result->push_back(HdCCToVec3f(GfVec3f(v)));
+        }
+        return true;
+    }
+    if (value.IsHolding<Vec>()) {
+        result->push_back(HdCCToVec3f(GfVec3f(value.UncheckedGet<Vec>())));
+        return true;
+    }
+    return false;
+}
+
+bool HdCCToVec3fs(VtValue const &value, std::vector<cc::Vec3f> *result) {
+    result->clear();
+    return value.IsEmpty() || _AppendIfHeld<GfVec3f>(value, result) ||
+           _AppendIfHeld<GfVec3d>(value, result) || _AppendIfHeld<GfVec3h>(value, result);
+}
+
+static bool _ToScheme(TfToken const &token, cc::Scheme *scheme) {
+    if (token == "catmullClark") {
+        *scheme = cc::Scheme::CatmullClark;
+    } else if (token == "bilinear") {
+        *scheme = cc::Scheme::Bilinear;
+    } else if (token == "none" || token.IsEmpty()) {
+        *scheme = cc::Scheme::None;
+    } else {
+        return false;
+    }
+    return true;
+}
+
+static cc::BoundaryRule _ToBoundaryRule(TfToken const &token) {
+    return token == "none"       ? cc::BoundaryRule::None
+           : token == "edgeOnly" ? cc::BoundaryRule::EdgeOnly
+                                 : cc::BoundaryRule::EdgeAndCorner;
+}
+
+template <class T>
+static std::vector<T> _ToVector(VtArray<T> const &values) {
+    return std::vector<T>(values.cbegin(), values.cend());
+}
+
+bool HdCCToControlMesh(HdMeshTopology const &topology, PxOsdSubdivTags const &tags,
+                       cc::ControlMesh *mesh) {
+    *mesh = cc::ControlMesh();
+    if (!_ToScheme(topology.GetScheme(), &mesh->scheme)) {
+        return false;
+    }
+    mesh->boundaryRule = _ToBoundaryRule(tags.GetVertexInterpolationRule());
+    mesh->creaseRule = tags.GetCreaseMethod() == "chaikin" ? cc::CreaseRule::Chaikin
+                                                           : cc::CreaseRule::Uniform;
+    mesh->triangleRule = tags.GetTriangleSubdivision() == "smooth"
+                             ? cc::TriangleRule::Smooth
+                             : cc::TriangleRule::CatmullClark;
+    mesh->leftHanded = topology.GetOrientation() == "leftHanded";
+
+    mesh->faceVertexCounts = _ToVector(topology.GetFaceVertexCounts());
+    mesh->faceVertexIndices = _ToVector(topology.GetFaceVertexIndices());
+    mesh->holeIndices = _ToVector(topology.GetHoleIndices());
+
+    mesh->creaseIndices = _ToVector(tags.GetCreaseIndices());
+    mesh->creaseLengths = _ToVector(tags.GetCreaseLengths());
+    mesh->creaseSharpnesses = _ToVector(tags.GetCreaseWeights());
+    mesh->cornerIndices = _ToVector(tags.GetCornerIndices());
+    mesh->cornerSharpnesses = _ToVector(tags.GetCornerWeights());
+    return true;
+}
+
+static bool _IsFinite(GfMatrix4d const &m) {
+    for (int i = 0; i < 16; ++i) {
+        if (!std::isfinite(m.GetArray()[i])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool HdCCToCamera(GfMatrix4d const &worldToView, GfMatrix4d const &projection, float clipNear,
+                  float clipFar, cc::Camera *camera) {
+    if (!_IsFinite(worldToView) || !_IsFinite(projection) || projection[0][0] == 0 ||
+        projection[1][1] == 0 || !(clipNear < clipFar) || !std::isfinite(clipFar)) {
+        return false;
+    }
+    double determinant = 0;
+    camera->cameraToWorld = HdCCToTransform(worldToView.GetInverse(&determinant));
+    if (determinant == 0 || !std::isfinite(determinant)) {
+        return false;
+    }
+
+    camera->orthographic = projection[2][3] == 0;
+    // The projection takes (x, y, z) to (x p00 + z p20 + p30) / -z, or over 1 if orthographic:
+    // the window is what comes out as -1 and 1 at z = -1.
+    for (int axis = 0; axis < 2; ++axis) {
+        const double scale = projection[axis][axis];
+        const double offset = camera->orthographic ? -projection[3][axis] : projection[2][axis];
+        (axis == 0 ? camera->windowLower.x : camera->windowLower.y) = float((offset - 1) / scale);
+        (axis == 0 ? camera->windowUpper.x : camera->windowUpper.y) = float((offset + 1) / scale);
+    }
+    // A perspective camera sees nothing at or behind its eye.
+    camera->clipNear = camera->orthographic || clipNear > 0 ? clipNear : 1e-7f * clipFar;
+    camera->clipFar = clipFar;
+    return camera->clipNear < clipFar;
+}
+
+PXR_NAMESPACE_CLOSE_SCOPE

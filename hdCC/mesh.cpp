@@ -1,0 +1,198 @@
+#include "hdCC/mesh.h"
+
+#include "pxr/base/tf/diagnostic.h"
+#include "pxr/base/tf/staticTokens.h"
+#include "pxr/imaging/hd/changeTracker.h"
+#include "pxr/imaging/hd/extComputationUtils.h"
+#include "pxr/imaging/hd/instancer.h"
+#include "pxr/imaging/hd/sceneDelegate.h"
+
+#include "hdCC/convert.h"
+#include "hdCC/renderParam.h"
+
+PXR_NAMESPACE_OPEN_SCOPE
+
+TF_DEFINE_PRIVATE_TOKENS(_tokens, (points)(displayColor));
+
+HdCCMesh::HdCCMesh(SdfPath const &id, cc::Scene *scene)
+    : HdMesh(id), _mesh(scene->AddMesh(id.GetString())) {
+    _mesh->SetVisible(false);
+}
+
+HdDirtyBits HdCCMesh::GetInitialDirtyBitsMask() const {
+    return HdChangeTracker::DirtyPrimID | HdChangeTracker::DirtyTopology |
+           HdChangeTracker::DirtySubdivTags | HdChangeTracker::DirtyPoints |
+           HdChangeTracker::DirtyPrimvar | HdChangeTracker::DirtyComputationPrimvarDesc |
+           HdChangeTracker::DirtyTransform | HdChangeTracker::DirtyVisibility |
+           HdChangeTracker::DirtyDoubleSided | HdChangeTracker::DirtyCullStyle |
+           HdChangeTracker::DirtyInstancer | HdChangeTracker::DirtyRenderTag;
+}
+
+HdDirtyBits HdCCMesh::_PropagateDirtyBits(HdDirtyBits bits) const {
+    constexpr HdDirtyBits surface =
+        HdChangeTracker::DirtyTopology | HdChangeTracker::DirtySubdivTags;
+    // Topology and tags are one thing to the scene, and either needs the other.
+    return bits & surface ? bits | surface : bits;
+}
+
+void HdCCMesh::_InitRepr(TfToken const &repr, HdDirtyBits *) {
+    for (auto const &known : _reprs) {
+        if (known.first == repr) {
+            return;
+        }
+    }
+    _reprs.emplace_back(repr, HdReprSharedPtr());
+}
+
+void HdCCMesh::Sync(HdSceneDelegate *delegate, HdRenderParam *param, HdDirtyBits *dirtyBits,
+                    TfToken const &) {
+    const HdCCRenderParam::SyncScope scope(param);
+    const HdDirtyBits bits = *dirtyBits;
+
+    if (bits & HdChangeTracker::DirtyPrimID) {
+        _mesh->SetPrimId(GetPrimId());
+    }
+    if (bits & (HdChangeTracker::DirtyTopology | HdChangeTracker::DirtySubdivTags)) {
+        _SyncTopology(delegate);
+    }
+    if (bits & (HdChangeTracker::DirtyPoints | HdChangeTracker::DirtyComputationPrimvarDesc)) {
+        _SyncPoints(delegate);
+    }
+    if (bits & HdChangeTracker::DirtyPrimvar) {
+        _SyncDisplayColor(delegate);
+    }
+    if (bits & HdChangeTracker::DirtyTransform) {
+        _mesh->SetTransform(HdCCToTransform(delegate->GetTransform(GetId())));
+    }
+    if (bits & (HdChangeTracker::DirtyDoubleSided | HdChangeTracker::DirtyCullStyle)) {
+        _SyncSides(delegate);
+    }
+    _SyncShown(delegate, param, dirtyBits);
+
+    *dirtyBits &= ~HdDirtyBits(HdChangeTracker::AllSceneDirtyBits);
+}
+
+void HdCCMesh::_SyncTopology(HdSceneDelegate *delegate) {
+    const HdMeshTopology topology = delegate->GetMeshTopology(GetId());
+    const PxOsdSubdivTags tags = delegate->GetSubdivTags(GetId());
+    cc::ControlMesh mesh;
+    _hasTopology = HdCCToControlMesh(topology, tags, &mesh);
+    if (!_hasTopology) {
+        TF_WARN("<%s>: the subdivision scheme '%s' is not supported; the mesh is left out",
+                GetId().GetText(), topology.GetScheme().GetText());
+    }
+    _mesh->SetTopology(std::move(mesh));
+}
+
+/// Points that a computation makes, as UsdSkel does; an empty value if none makes them.
+static VtValue _ComputedPoints(HdSceneDelegate *delegate, SdfPath const &id) {
+    const HdExtComputationPrimvarDescriptorVector primvars =
+        delegate->GetExtComputationPrimvarDescriptors(id, HdInterpolationVertex);
+    for (HdExtComputationPrimvarDescriptor const &primvar : primvars) {
+        if (primvar.name == _tokens->points) {
+            return HdExtComputationUtils::GetComputedPrimvarValues({primvar}, delegate)[
+                _tokens->points];
+        }
+    }
+    return VtValue();
+}
+
+void HdCCMesh::_SyncPoints(HdSceneDelegate *delegate) {
+    VtValue value = _ComputedPoints(delegate, GetId());
+    if (value.IsEmpty()) {
+        value = delegate->Get(GetId(), _tokens->points);
+    }
+    std::vector<cc::Vec3f> points;
+    _hasPoints = HdCCToVec3fs(value, &points);
+    if (!_hasPoints) {
+        TF_WARN("<%s>: points have the type %s, not point3f[]; the mesh is left out",
+                GetId().GetText(), value.GetTypeName().c_str());
+    }
+    _mesh->SetPoints(std::move(points));
+}
+
+static cc::Interpolation _ToInterpolation(HdInterpolation interpolation) {
+    switch (interpolation) {
+        case HdInterpolationUniform: return cc::Interpolation::Uniform;
+        case HdInterpolationVarying: return cc::Interpolation::Varying;
+        case HdInterpolationVertex: return cc::Interpolation::Vertex;
+        case HdInterpolationFaceVarying: return cc::Interpolation::FaceVarying;
+        default: return cc::Interpolation::Constant;
+    }
+}
+
+static bool _FindPrimvar(HdSceneDelegate *delegate, SdfPath const &id, TfToken const &name,
+                         HdPrimvarDescriptor *found) {
+    for (HdInterpolation interpolation :
+         {HdInterpolationConstant, HdInterpolationUniform, HdInterpolationVarying,
+          HdInterpolationVertex, HdInterpolationFaceVarying}) {
+        for (HdPrimvarDescriptor const &primvar :
+             delegate->GetPrimvarDescriptors(id, interpolation)) {
+            if (primvar.name == name) {
+                *found = primvar;
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+void HdCCMesh::_SyncDisplayColor(HdSceneDelegate *delegate) {
+    cc::Primvar3f color;
+    HdPrimvarDescriptor primvar;
+    if (_FindPrimvar(delegate, GetId(), _tokens->displayColor, &primvar)) {
+        VtIntArray indices;
+        const VtValue value = primvar.indexed
+                                  ? delegate->GetIndexedPrimvar(GetId(), primvar.name, &indices)
+                                  : delegate->Get(GetId(), primvar.name);
+        color.interpolation = _ToInterpolation(primvar.interpolation);
+        color.indices.assign(indices.cbegin(), indices.cend());
+        if (!HdCCToVec3fs(value, &color.values)) {
+            TF_WARN("<%s>: primvars:displayColor has the type %s, not color3f[]; it is ignored",
+                    GetId().GetText(), value.GetTypeName().c_str());
+            color = cc::Primvar3f();
+        }
+    }
+    _mesh->SetDisplayColor(std::move(color));
+}
+
+void HdCCMesh::_SyncSides(HdSceneDelegate *delegate) {
+    const HdCullStyle style = delegate->GetCullStyle(GetId());
+    _mesh->SetCullBackFaces(style == HdCullStyleBack ||
+                            (style == HdCullStyleBackUnlessDoubleSided &&
+                             !delegate->GetDoubleSided(GetId())));
+    if (style == HdCullStyleFront || style == HdCullStyleFrontUnlessDoubleSided) {
+        TF_WARN("<%s>: culling front faces is not supported; both sides are shown",
+                GetId().GetText());
+    }
+}
+
+void HdCCMesh::_SyncShown(HdSceneDelegate *delegate, HdRenderParam *param,
+                          HdDirtyBits *dirtyBits) {
+    _UpdateVisibility(delegate, dirtyBits);
+    _UpdateInstancer(delegate, dirtyBits);
+    HdInstancer::_SyncInstancerAndParents(delegate->GetRenderIndex(), GetInstancerId());
+    const bool instanced = !GetInstancerId().IsEmpty();
+    if (instanced) {
+        static_cast<HdCCRenderParam *>(param)->WarnOnce(
+            GetId(), "instancing is not supported yet; the prototype is left out");
+    }
+    _mesh->SetRenderTag(GetRenderTag().GetString());
+    _mesh->SetVisible(IsVisible() && !instanced && _hasTopology && _hasPoints);
+}
+
+void HdCCMesh::UpdateRenderTag(HdSceneDelegate *delegate, HdRenderParam *param) {
+    HdMesh::UpdateRenderTag(delegate, param);
+    _mesh->SetRenderTag(GetRenderTag().GetString());
+    static_cast<HdCCRenderParam *>(param)->MarkSceneChanged();
+}
+
+void HdCCMesh::Finalize(HdRenderParam *param) {
+    HdCCRenderParam *const shared = static_cast<HdCCRenderParam *>(param);
+    shared->GetScene()->RemoveMesh(_mesh);
+    shared->MarkSceneChanged();
+    _mesh = nullptr;
+    HdMesh::Finalize(param);
+}
+
+PXR_NAMESPACE_CLOSE_SCOPE

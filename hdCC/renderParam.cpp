@@ -1,0 +1,53 @@
+#include "hdCC/renderParam.h"
+
+#include <algorithm>
+
+#include "pxr/base/tf/diagnostic.h"
+
+PXR_NAMESPACE_OPEN_SCOPE
+
+using _Clock = std::chrono::steady_clock;
+
+HdCCRenderParam::SyncScope::SyncScope(HdRenderParam *param)
+    : _param(static_cast<HdCCRenderParam *>(param)), _begin(_Clock::now()) {}
+
+HdCCRenderParam::SyncScope::~SyncScope() {
+    const _Clock::time_point end = _Clock::now();
+    const std::lock_guard<std::mutex> lock(_param->_mutex);
+    _param->_syncBegin = _param->_synced ? std::min(_param->_syncBegin, _begin) : _begin;
+    _param->_syncEnd = _param->_synced ? std::max(_param->_syncEnd, end) : end;
+    _param->_synced = true;
+    _param->MarkSceneChanged();
+}
+
+double HdCCRenderParam::TakeSyncSeconds() {
+    const std::lock_guard<std::mutex> lock(_mutex);
+    if (!_synced) {
+        return 0;
+    }
+    _synced = false;
+    return std::chrono::duration<double>(_syncEnd - _syncBegin).count();
+}
+
+void HdCCRenderParam::WarnOnce(SdfPath const &id, std::string const &message) {
+    const std::string line = "<" + id.GetString() + ">: " + message;
+    {
+        const std::lock_guard<std::mutex> lock(_mutex);
+        if (!_warned.insert(line).second) {
+            return;
+        }
+    }
+    TF_WARN("%s", line.c_str());
+}
+
+std::shared_ptr<const HdCCFrame> HdCCRenderParam::GetFrame() const {
+    const std::lock_guard<std::mutex> lock(_mutex);
+    return _frame;
+}
+
+void HdCCRenderParam::SetFrame(std::shared_ptr<const HdCCFrame> frame) {
+    const std::lock_guard<std::mutex> lock(_mutex);
+    _frame = std::move(frame);
+}
+
+PXR_NAMESPACE_CLOSE_SCOPE

@@ -1,0 +1,75 @@
+#ifndef HDCC_RENDER_PARAM_H
+#define HDCC_RENDER_PARAM_H
+
+#include <atomic>
+#include <chrono>
+#include <memory>
+#include <mutex>
+#include <set>
+#include <string>
+
+#include "core/render/film.h"
+#include "core/render/renderer.h"
+#include "core/scene/scene.h"
+
+#include "pxr/imaging/hd/renderDelegate.h"
+#include "pxr/pxr.h"
+
+PXR_NAMESPACE_OPEN_SCOPE
+
+/// A frame that is done: its pixels and what it took.
+struct HdCCFrame {
+    cc::Film film;
+    cc::RenderOptions options;
+    cc::RenderStatistics statistics;
+    cc::Scene::Statistics scene;
+    double syncSeconds = 0;
+};
+
+/// What the prims, the render pass and the delegate share: the scene, and the last frame.
+class HdCCRenderParam final : public HdRenderParam {
+  public:
+    cc::Scene *GetScene() { return &_scene; }
+
+    /// Goes up with every change that the next picture shows.
+    int GetSceneVersion() const { return _sceneVersion; }
+    void MarkSceneChanged() { ++_sceneVersion; }
+
+    /// Put one into every Sync: it marks the scene as changed and measures the phase.
+    class SyncScope {
+      public:
+        explicit SyncScope(HdRenderParam *param);
+        ~SyncScope();
+
+      private:
+        HdCCRenderParam *_param;
+        std::chrono::steady_clock::time_point _begin;
+    };
+
+    /// Wall time from the first Sync to the last since this was last asked.
+    double TakeSyncSeconds();
+
+    /// Warns that `message`, about `id`, unless the same was said before.
+    void WarnOnce(SdfPath const &id, std::string const &message);
+
+    /// The last frame that is done; null before the first and while the next one renders.
+    std::shared_ptr<const HdCCFrame> GetFrame() const;
+    void SetFrame(std::shared_ptr<const HdCCFrame> frame);
+
+    /// Pixels done and to do in the frame that renders, or of the last one.
+    std::atomic<int64_t> pixelsDone{0}, pixelsTotal{0};
+
+  private:
+    cc::Scene _scene;
+    std::atomic<int> _sceneVersion{1};
+
+    mutable std::mutex _mutex;
+    std::chrono::steady_clock::time_point _syncBegin, _syncEnd;
+    bool _synced = false;
+    std::set<std::string> _warned;
+    std::shared_ptr<const HdCCFrame> _frame;
+};
+
+PXR_NAMESPACE_CLOSE_SCOPE
+
+#endif

@@ -1,0 +1,222 @@
+#include "hdCC/renderPass.h"
+
+#include <algorithm>
+#include <exception>
+#include <memory>
+
+#include "pxr/base/tf/diagnostic.h"
+#include "pxr/imaging/hd/camera.h"
+#include "pxr/imaging/hd/renderIndex.h"
+#include "pxr/imaging/hd/sceneIndex.h"
+#include "pxr/imaging/hd/utils.h"
+
+#include "hdCC/convert.h"
+#include "hdCC/renderDelegate.h"
+#include "hdCC/renderParam.h"
+#include "hdCC/renderSettings.h"
+
+PXR_NAMESPACE_OPEN_SCOPE
+
+HdCCRenderPass::HdCCRenderPass(HdRenderIndex *index, HdRprimCollection const &collection,
+                               HdCCRenderDelegate *delegate)
+    : HdRenderPass(index, collection), _delegate(delegate), _param(delegate->GetSharedParam()) {}
+
+bool HdCCRenderPass::_Target::operator==(_Target const &b) const {
+    return aov == b.aov && buffer == b.buffer && bufferVersion == b.bufferVersion &&
+           clearValue == b.clearValue;
+}
+
+bool HdCCRenderPass::_Picture::operator==(_Picture const &b) const {
+    return sceneVersion == b.sceneVersion && settingsVersion == b.settingsVersion &&
+           renderTags == b.renderTags && cameraId == b.cameraId &&
+           worldToView == b.worldToView && projection == b.projection &&
+           clippingRange == b.clippingRange && window == b.window && targets == b.targets;
+}
+
+void HdCCRenderPass::_Execute(HdRenderPassStateSharedPtr const &state,
+                              TfTokenVector const &renderTags) {
+    SdfPath settingsPrim;
+    HdUtils::HasActiveRenderSettingsPrim(GetRenderIndex()->GetTerminalSceneIndex(), &settingsPrim);
+    _delegate->HeedSceneSettings(settingsPrim);
+
+    _Picture picture = _Describe(state, renderTags);
+    if (_converged && picture == _picture) {
+        return;
+    }
+    _picture = std::move(picture);
+    _converged = false;
+    for (_Target const &target : _picture.targets) {
+        target.buffer->SetConverged(false);
+    }
+    try {
+        if (!_Render()) {
+            _ClearAll();
+        }
+    } catch (std::exception const &e) {
+        TF_RUNTIME_ERROR("the frame was given up: %s", e.what());
+        _ClearAll();
+    }
+    // Pixels first: applications read a buffer as soon as it says that it is done.
+    for (_Target const &target : _picture.targets) {
+        target.buffer->SetConverged(true);
+    }
+    _converged = true;
+}
+
+/// The data window, which Hydra counts from the top, in rows from the bottom; else the viewport,
+/// whose corner the buffers' corner is.
+static GfRect2i _Window(HdRenderPassState const &state, int bufferHeight) {
+    CameraUtilFraming const &framing = state.GetFraming();
+    if (!framing.IsValid()) {
+        GfVec4f const &viewport = state.GetViewport();
+        return GfRect2i(GfVec2i(0), int(viewport[2]), int(viewport[3]));
+    }
+    GfRect2i const &data = framing.dataWindow;
+    const int height = bufferHeight > 0 ? bufferHeight : data.GetHeight();
+    return GfRect2i(GfVec2i(data.GetMinX(), height - data.GetMinY() - data.GetHeight()),
+                    data.GetWidth(), data.GetHeight());
+}
+
+HdCCRenderPass::_Picture HdCCRenderPass::_Describe(HdRenderPassStateSharedPtr const &state,
+                                                   TfTokenVector const &renderTags) const {
+    _Picture picture;
+    picture.sceneVersion = _param->GetSceneVersion();
+    picture.settingsVersion = _delegate->GetRenderSettingsVersion();
+    picture.renderTags = renderTags;
+    for (HdRenderPassAovBinding const &binding : state->GetAovBindings()) {
+        if (HdCCRenderBuffer *buffer = dynamic_cast<HdCCRenderBuffer *>(binding.renderBuffer)) {
+            picture.targets.push_back(
+                {binding.aovName, buffer, buffer->GetVersion(), binding.clearValue});
+        }
+    }
+    picture.window = _Window(
+        *state, picture.targets.empty() ? 0 : int(picture.targets[0].buffer->GetHeight()));
+    if (HdCamera const *camera = state->GetCamera()) {
+        picture.cameraId = camera->GetId();
+        picture.worldToView = state->GetWorldToViewMatrix();
+        picture.projection = state->GetProjectionMatrix();
+        picture.clippingRange = camera->GetClippingRange();
+    }
+    return picture;
+}
+
+/// What of the window lies inside the buffers.
+GfRect2i HdCCRenderPass::_VisibleWindow() const {
+    if (_picture.targets.empty()) {
+        return _picture.window;
+    }
+    HdCCRenderBuffer const &buffer = *_picture.targets[0].buffer;
+    return _picture.window.GetIntersection(
+        GfRect2i(GfVec2i(0), int(buffer.GetWidth()), int(buffer.GetHeight())));
+}
+
+/// The AOVs that are bound, and those that hdcc:aovs names.
+std::vector<cc::Aov> HdCCRenderPass::_FilmAovs() const {
+    std::vector<cc::Aov> aovs = HdCCRequestedAovs(*_delegate);
+    const auto add = [&aovs](cc::Aov aov) {
+        if (std::find(aovs.begin(), aovs.end(), aov) == aovs.end()) {
+            aovs.push_back(aov);
+        }
+    };
+    for (_Target const &target : _picture.targets) {
+        cc::Aov aov;
+        if (cc::AovFromName(target.aov.GetString(), &aov)) {
+            add(aov);
+            // Tells the pixels that show a clear value other than the film's own.
+            if (aov != cc::Aov::Color && !target.clearValue.IsEmpty()) {
+                add(cc::Aov::PrimId);
+            }
+        }
+    }
+    return aovs;
+}
+
+bool HdCCRenderPass::_MakeCamera(GfRect2i const &visible, cc::Camera *camera) const {
+    if (!HdCCToCamera(_picture.worldToView, _picture.projection, _picture.clippingRange.GetMin(),
+                      _picture.clippingRange.GetMax(), camera)) {
+        return false;
+    }
+    GfRect2i const &window = _picture.window;
+    const cc::Vec2f lower = camera->windowLower, upper = camera->windowUpper;
+    const auto narrow = [](float low, float high, int from, int size, int at) {
+        return low + (high - low) * (float(at - from) / float(size));
+    };
+    const int width = window.GetWidth(), height = window.GetHeight();
+    const int left = visible.GetMinX(), bottom = visible.GetMinY();
+    if (visible != window) {
+        camera->windowLower = {narrow(lower.x, upper.x, window.GetMinX(), width, left),
+                               narrow(lower.y, upper.y, window.GetMinY(), height, bottom)};
+        camera->windowUpper = {
+            narrow(lower.x, upper.x, window.GetMinX(), width, left + visible.GetWidth()),
+            narrow(lower.y, upper.y, window.GetMinY(), height, bottom + visible.GetHeight())};
+    }
+    return true;
+}
+
+/// Returns false if there is nothing to render, having said why.
+bool HdCCRenderPass::_Render() {
+    _param->SetFrame(nullptr);
+    const GfRect2i visible = _VisibleWindow();
+    if (visible.IsEmpty()) {
+        TF_WARN("there are no pixels to render: the picture or its data window is empty");
+        return false;
+    }
+    cc::Camera camera;
+    if (!_MakeCamera(visible, &camera)) {
+        TF_WARN("<%s>: there is no camera, or its transform, aperture or clipping range is "
+                "singular; the picture is empty", _picture.cameraId.GetText());
+        return false;
+    }
+
+    const auto frame = std::make_shared<HdCCFrame>();
+    frame->syncSeconds = _param->TakeSyncSeconds();
+    std::vector<std::string> tags;
+    for (TfToken const &tag : _picture.renderTags) {
+        tags.push_back(tag.GetString());
+    }
+    for (std::string const &warning : _param->GetScene()->Build(tags)) {
+        TF_WARN("%s", warning.c_str());
+    }
+    frame->scene = _param->GetScene()->GetStatistics();
+    frame->options = HdCCRenderOptions(*_delegate);
+    frame->film = cc::Film(visible.GetWidth(), visible.GetHeight(), _FilmAovs());
+
+    _param->pixelsDone = 0;
+    _param->pixelsTotal = int64_t(visible.GetWidth()) * visible.GetHeight();
+    cc::RenderFrame(*_param->GetScene(), camera, frame->options, &frame->film, &frame->statistics,
+                    &_param->pixelsDone, nullptr);
+    _param->pixelsDone = _param->pixelsTotal.load();
+
+    _Publish(*frame, visible.GetMin());
+    _param->SetFrame(frame);
+    return true;
+}
+
+void HdCCRenderPass::_Publish(HdCCFrame const &frame, GfVec2i const &corner) {
+    for (_Target const &target : _picture.targets) {
+        HdCCRenderBuffer &buffer = *target.buffer;
+        cc::Aov aov;
+        const bool isSupported = cc::AovFromName(target.aov.GetString(), &aov);
+        const bool isCovered = corner == GfVec2i(0) &&
+                               int(buffer.GetWidth()) == frame.film.Width() &&
+                               int(buffer.GetHeight()) == frame.film.Height();
+        if (!isSupported) {
+            _param->WarnOnce(buffer.GetId(), "the AOV '" + target.aov.GetString() +
+                                                 "' is not supported; it is left clear");
+        }
+        if (!isSupported || !isCovered) {
+            buffer.Clear(target.clearValue);
+        }
+        if (isSupported) {
+            buffer.Write(frame.film, aov, corner, target.clearValue);
+        }
+    }
+}
+
+void HdCCRenderPass::_ClearAll() {
+    for (_Target const &target : _picture.targets) {
+        target.buffer->Clear(target.clearValue);
+    }
+}
+
+PXR_NAMESPACE_CLOSE_SCOPE

@@ -1,0 +1,179 @@
+#include "hdCC/renderSettings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+#include "pxr/base/tf/staticTokens.h"
+#include "pxr/base/tf/stringUtils.h"
+
+PXR_NAMESPACE_OPEN_SCOPE
+
+// clang-format off
+TF_DEFINE_PRIVATE_TOKENS(
+    _tokens,
+    ((tracer, "hdcc:tracer"))
+    ((level, "hdcc:level"))
+    ((integrator, "hdcc:integrator"))
+    ((samples, "hdcc:samples"))
+    ((seed, "hdcc:seed"))
+    ((threads, "hdcc:threads"))
+    ((aovs, "hdcc:aovs"))
+);
+// clang-format on
+
+namespace {
+
+enum class _Kind { Choice, Integer, Aovs };
+
+struct _Setting {
+    TfToken key;
+    char const *title;
+    _Kind kind;
+    VtValue defaultValue;
+    std::vector<std::string> choices = {};
+    int lowest = 0, highest = 0;
+};
+
+}  // namespace
+
+static std::vector<_Setting> const &_Settings() {
+    constexpr int kMost = std::numeric_limits<int>::max();
+    static const std::vector<_Setting> settings{
+        {_tokens->tracer, "Tracer", _Kind::Choice, VtValue(std::string("packet")),
+         {"packet", "single"}},
+        {_tokens->level, "Finest level", _Kind::Integer, VtValue(4), {}, 0, 8},
+        {_tokens->integrator, "Integrator", _Kind::Choice, VtValue(std::string("raycast")),
+         {"raycast"}},
+        {_tokens->samples, "Samples per pixel", _Kind::Integer, VtValue(16), {}, 1, kMost},
+        {_tokens->seed, "Seed", _Kind::Integer, VtValue(0), {}, std::numeric_limits<int>::min(),
+         kMost},
+        {_tokens->threads, "Threads (0: all)", _Kind::Integer, VtValue(0), {}, 0, kMost},
+        {_tokens->aovs, "AOVs to keep", _Kind::Aovs, VtValue(std::string())},
+    };
+    return settings;
+}
+
+HdRenderSettingDescriptorList HdCCRenderSettingDescriptors() {
+    HdRenderSettingDescriptorList descriptors;
+    for (_Setting const &setting : _Settings()) {
+        descriptors.push_back({setting.title, setting.key, setting.defaultValue});
+    }
+    return descriptors;
+}
+
+bool HdCCIsRenderSetting(TfToken const &key) {
+    return TfStringStartsWith(key.GetString(), "hdcc:");
+}
+
+static std::string _AllowedText(_Setting const &setting) {
+    if (setting.kind == _Kind::Choice) {
+        return TfStringJoin(setting.choices, ", ");
+    }
+    if (setting.kind == _Kind::Aovs) {
+        return "names of AOVs, separated by spaces or commas";
+    }
+    const std::string lowest = TfStringPrintf("an integer from %d", setting.lowest);
+    return setting.highest == std::numeric_limits<int>::max()
+               ? lowest + " up"
+               : lowest + TfStringPrintf(" to %d", setting.highest);
+}
+
+static bool _ToText(VtValue const &value, std::string *text) {
+    if (value.IsHolding<std::string>()) {
+        *text = value.UncheckedGet<std::string>();
+    } else if (value.IsHolding<TfToken>()) {
+        *text = value.UncheckedGet<TfToken>().GetString();
+    } else {
+        return false;
+    }
+    return true;
+}
+
+/// Reads a number that is whole, whatever its type; text must be nothing but a number.
+static bool _ToWhole(VtValue const &value, double *number) {
+    std::string text;
+    if (_ToText(value, &text)) {
+        char *end = nullptr;
+        *number = std::strtod(text.c_str(), &end);
+        return !text.empty() && *end == '\0' && std::floor(*number) == *number;
+    }
+    if (value.IsHolding<bool>() || !value.CanCast<double>()) {
+        return false;
+    }
+    *number = VtValue::Cast<double>(value).GetWithDefault(std::nan(""));
+    return std::floor(*number) == *number;
+}
+
+static bool _Check(_Setting const &setting, VtValue const &value, VtValue *checked) {
+    if (setting.kind == _Kind::Integer) {
+        double number = 0;
+        if (!_ToWhole(value, &number) || number < setting.lowest || number > setting.highest) {
+            return false;
+        }
+        *checked = VtValue(int(number));
+        return true;
+    }
+    std::string text;
+    if (!_ToText(value, &text)) {
+        return false;
+    }
+    *checked = VtValue(text);
+    std::vector<cc::Aov> aovs;
+    return setting.kind == _Kind::Aovs
+               ? HdCCParseAovs(text, &aovs).empty()
+               : std::count(setting.choices.begin(), setting.choices.end(), text) > 0;
+}
+
+std::string HdCCCheckRenderSetting(TfToken const &key, VtValue const &value, VtValue *checked) {
+    std::vector<std::string> keys;
+    for (_Setting const &setting : _Settings()) {
+        if (setting.key == key) {
+            return _Check(setting, value, checked)
+                       ? std::string()
+                       : TfStringPrintf("render setting %s cannot be '%s'; allowed: %s",
+                                        key.GetText(), TfStringify(value).c_str(),
+                                        _AllowedText(setting).c_str());
+        }
+        keys.push_back(setting.key.GetString());
+    }
+    return TfStringPrintf("there is no render setting %s (set to '%s'); there are: %s",
+                          key.GetText(), TfStringify(value).c_str(),
+                          TfStringJoin(keys, ", ").c_str());
+}
+
+cc::RenderOptions HdCCRenderOptions(HdRenderDelegate const &delegate) {
+    cc::RenderOptions options;
+    options.tracer = delegate.GetRenderSetting(_tokens->tracer, std::string()) == "single"
+                         ? cc::TracerKind::Single
+                         : cc::TracerKind::Packet;
+    options.integrator = cc::IntegratorKind::Raycast;
+    options.level = delegate.GetRenderSetting(_tokens->level, options.level);
+    options.samples = delegate.GetRenderSetting(_tokens->samples, options.samples);
+    options.seed = delegate.GetRenderSetting(_tokens->seed, options.seed);
+    options.threads = delegate.GetRenderSetting(_tokens->threads, options.threads);
+    return options;
+}
+
+std::vector<cc::Aov> HdCCRequestedAovs(HdRenderDelegate const &delegate) {
+    std::vector<cc::Aov> aovs;
+    HdCCParseAovs(delegate.GetRenderSetting(_tokens->aovs, std::string()), &aovs);
+    return aovs;
+}
+
+std::string HdCCParseAovs(std::string const &names, std::vector<cc::Aov> *aovs) {
+    aovs->clear();
+    for (std::string const &name : TfStringTokenize(names, " ,\t\n")) {
+        cc::Aov aov;
+        if (!cc::AovFromName(name, &aov)) {
+            return TfStringPrintf("there is no AOV '%s'", name.c_str());
+        }
+        if (std::count(aovs->begin(), aovs->end(), aov) == 0) {
+            aovs->push_back(aov);
+        }
+    }
+    return std::string();
+}
+
+PXR_NAMESPACE_CLOSE_SCOPE

@@ -1,0 +1,91 @@
+#include "hdCC/renderStats.h"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <thread>
+
+#include "pxr/base/vt/array.h"
+#include "pxr/base/vt/types.h"
+#include "pxr/base/vt/value.h"
+
+#include "hdCC/renderParam.h"
+
+PXR_NAMESPACE_OPEN_SCOPE
+
+static double _Ratio(double a, double b) {
+    return b > 0 ? a / b : 0.0;
+}
+
+static VtDictionary _RayRates(cc::RenderStatistics const &statistics, int threads) {
+    // Seconds are added up over threads; a rate is what all of them do together.
+    const double scale = 1e-6 * threads;
+    VtDictionary rates;
+    rates["primary"] =
+        VtValue(scale * _Ratio(double(statistics.primaryRays), statistics.primarySeconds));
+    rates["shadow"] =
+        VtValue(scale * _Ratio(double(statistics.shadowRays), statistics.shadowSeconds));
+    rates["reflection"] = VtValue(0.0);
+    return rates;
+}
+
+static VtDictionary _PerPacket(cc::TraceStatistics const &trace) {
+    VtDictionary averages;
+    const auto add = [&](char const *name, uint64_t count) {
+        averages[name] = VtValue(_Ratio(double(count), double(trace.packets)));
+    };
+    add("traversals", trace.traversals);
+    add("leaf_intersections", trace.leafIntersections);
+    add("subdivisions_regular", trace.subdivisionsRegular);
+    add("subdivisions_irregular", trace.subdivisionsIrregular);
+    add("early_hit", trace.earlyHits);
+    add("interval_culls", trace.intervalCulls);
+    add("final_intersections", trace.finalIntersections);
+    add("active_lanes", trace.activeLanes);
+    return averages;
+}
+
+static VtDictionary _Levels(HdCCFrame const &frame) {
+    VtIntArray histogram(frame.options.level + 1, 0);
+    histogram[frame.options.level] = int(frame.scene.patches);
+    VtDictionary levels;
+    levels["min"] = VtValue(frame.options.level);
+    levels["max"] = VtValue(frame.options.level);
+    levels["histogram"] = VtValue(histogram);
+    return levels;
+}
+
+static int64_t _PeakResidentBytes() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return int64_t(usage.ru_maxrss) * 1024;
+}
+
+VtDictionary HdCCRenderStats(HdCCFrame const &frame) {
+    const int threads = frame.options.threads > 0
+                            ? frame.options.threads
+                            : std::max(1, int(std::thread::hardware_concurrency()));
+    VtDictionary seconds, rays, bytes;
+    seconds["sync"] = VtValue(frame.syncSeconds);
+    seconds["build"] = VtValue(frame.scene.buildSeconds);
+    seconds["trace"] = VtValue(frame.statistics.seconds);
+    rays["primary"] = VtValue(int64_t(frame.statistics.primaryRays));
+    rays["shadow"] = VtValue(int64_t(frame.statistics.shadowRays));
+    rays["reflection"] = VtValue(int64_t(0));
+    bytes["structures"] = VtValue(int64_t(frame.scene.bytes));
+    bytes["per_face"] = VtValue(_Ratio(double(frame.scene.bytes), double(frame.scene.faces)));
+    bytes["peak_rss"] = VtValue(_PeakResidentBytes());
+
+    VtDictionary stats;
+    stats["faces"] = VtValue(int64_t(frame.scene.faces));
+    stats["patches"] = VtValue(int64_t(frame.scene.patches));
+    stats["seconds"] = VtValue(seconds);
+    stats["rays"] = VtValue(rays);
+    stats["mrays_per_second"] = VtValue(_RayRates(frame.statistics, threads));
+    stats["bytes"] = VtValue(bytes);
+    stats["levels"] = VtValue(_Levels(frame));
+    stats["packet"] = VtValue(_PerPacket(frame.statistics.trace));
+    return stats;
+}
+
+PXR_NAMESPACE_CLOSE_SCOPE
