@@ -1,0 +1,21 @@
+"""How commands speak to people: one line a message, errors on stderr."""
+
+import sys
+
+
+class CommandError(Exception):
+    """Ends a command with one line on stderr and an exit code other than 0."""
+
+    def __init__(self, message: str, exit_code: int = 1) -> None:
+        super().__init__(message)
+        self.exit_code = exit_code
+
+
+def error(message: str) -> None:
+    """Prints an error line."""
+    print(f"error: {message}", file=sys.stderr, flush=True)
+
+
+def warning(message: str) -> None:
+    """Prints a warning line."""
+    print(f"warning: {message}", file=sys.stderr, flush=True)
