@@ -1,0 +1,103 @@
+"""tools/record: renders pictures of a USD scene through Hydra."""
+
+import json
+import os
+import selectors
+import signal
+import subprocess
+import sys
+from contextlib import ExitStack
+
+from . import build, diagnostics, pictures, record_options
+from .console import CommandError, error
+from .progress import ProgressBar
+from .record_options import RecordOptions
+
+
+def main(arguments: list[str]) -> int:
+    """Runs the command; returns its exit code."""
+    try:
+        options = record_options.parse(arguments)
+        signal.signal(signal.SIGTERM, _stop)
+        return _record(options)
+    except CommandError as failure:
+        error(str(failure))
+        return failure.exit_code
+    except KeyboardInterrupt:
+        error("interrupted")
+        return 130
+
+
+def _stop(*_: object) -> None:
+    raise KeyboardInterrupt
+
+
+def _record(options: RecordOptions) -> int:
+    runtime = build.plugin_runtime(quiet=options.quiet)
+    with pictures.Workshop(options.picture) as workshop:
+        options.workshop = str(workshop.path)
+        return _render(options, runtime)
+
+
+def _render(options: RecordOptions, runtime: build.Runtime) -> int:
+    """Runs the process that renders, and shows what it says until it ends."""
+    bar = ProgressBar(enabled=not options.quiet)
+    with ExitStack() as stack:
+        progress_read, progress_write = os.pipe()
+        stack.callback(os.close, progress_read)
+        options.progress_fd = progress_write if sys.stderr.isatty() and not options.quiet else -1
+        child = subprocess.Popen(
+            [str(runtime.python), "-m", "_lib.render_process"],
+            stdin=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            env=runtime.environment,
+            pass_fds=[progress_write],
+        )
+        os.close(progress_write)
+        stack.callback(_end, child)
+        child.stdin.write(json.dumps(options.as_dict()).encode())
+        child.stdin.close()
+        _relay(child.stderr.fileno(), progress_read, bar)
+        bar.clear()
+        return _exit_code(child.wait())
+
+
+def _relay(messages_fd: int, progress_fd: int, bar: ProgressBar) -> None:
+    """Shows messages and progress until both pipes are closed at the other end."""
+    with selectors.DefaultSelector() as selector:
+        selector.register(messages_fd, selectors.EVENT_READ)
+        selector.register(progress_fd, selectors.EVENT_READ)
+        while selector.get_map():
+            for key, _ in selector.select():
+                data = os.read(key.fd, 65536)
+                if not data:
+                    selector.unregister(key.fd)
+                elif key.fd == messages_fd:
+                    bar.clear()
+                    for line in diagnostics.translate(data.decode(errors="replace")):
+                        print(line, file=sys.stderr, flush=True)
+                else:
+                    _show_progress(data, bar)
+
+
+def _show_progress(data: bytes, bar: ProgressBar) -> None:
+    last = data.decode().splitlines()[-1].split()
+    if len(last) != 3:
+        return
+    fraction, done, count = float(last[0]), int(last[1]), int(last[2])
+    label = "rendering" if count == 1 else f"frame {done + 1} of {count}"
+    bar.show((done + fraction) / count, label)
+
+
+def _exit_code(code: int) -> int:
+    if code >= 0:
+        return code
+    name = signal.Signals(-code).name
+    error(f"the renderer was ended by {name}; no picture was written")
+    return 128 - code
+
+
+def _end(child: subprocess.Popen) -> None:
+    if child.poll() is None:
+        child.kill()
+        child.wait()

@@ -1,0 +1,96 @@
+"""The process that renders for tools/record: reads its options as JSON from stdin.
+
+It runs apart from the command itself so that OpenUSD's plugin path is set for it alone, and so
+that the command can still clean up and say what happened if it crashes.
+"""
+
+import json
+import os
+import sys
+import threading
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from pxr import Tf, Usd
+
+from . import pictures, render_stats
+from .console import CommandError, error
+from .record_options import RecordOptions
+from .recorder import Recorder, make_recorder
+from .stage import View, find_camera, find_settings_prim, frames_of, open_stage, view_at
+
+
+def main() -> int:
+    """Renders all frames; the exit code is 0 only if every picture was written."""
+    values = json.load(sys.stdin)
+    values["settings"] = [tuple(setting) for setting in values["settings"]]
+    try:
+        _record(RecordOptions(**values))
+    except CommandError as failure:
+        error(str(failure))
+        return failure.exit_code
+    except Tf.ErrorException as failure:
+        for item in failure.args:
+            error(" ".join(item.commentary.split()))
+        return 1
+    return 0
+
+
+def _record(options: RecordOptions) -> None:
+    stage = open_stage(options)
+    settings = find_settings_prim(options, stage)
+    camera = find_camera(options, stage, settings)
+    frames = frames_of(options, stage)
+    recorder = make_recorder(options, settings)
+    for done, when in enumerate(frames):
+        view = view_at(options, stage, camera, settings, when)
+        with _reported_progress(recorder, options.progress_fd, done, len(frames)):
+            _record_frame(options, recorder, stage, view, when)
+
+
+def _record_frame(
+    options: RecordOptions, recorder: Recorder, stage: Usd.Stage, view: View, when: Usd.TimeCode
+) -> None:
+    frame = 0.0 if when.IsDefault() else when.GetValue()
+    picture = pictures.name_of_frame(options.picture, frame)
+    made = Path(options.workshop) / Path(picture).name
+    begin = time.perf_counter()
+    try:
+        recorder.record(stage, view, when, made)
+    except CommandError as failure:
+        raise CommandError(str(failure).replace(str(made), picture)) from failure
+    pictures.publish(made, picture)
+    if options.stats:
+        render_stats.write(recorder.stats(), pictures.name_of_frame(options.stats, frame))
+    if not options.quiet:
+        seconds = time.perf_counter() - begin
+        camera = "all of the stage" if view.path.isEmpty else view.path
+        print(f"{picture}  {view.width}x{view.height}  {camera}  {seconds:.2f} s", flush=True)
+
+
+@contextmanager
+def _reported_progress(recorder: Recorder, fd: int, done: int, count: int) -> Iterator[None]:
+    """Writes lines `fraction done count` to a pipe while the body runs; -1 means to nowhere."""
+    if fd < 0:
+        yield
+        return
+    finished = threading.Event()
+
+    def report() -> None:
+        while not finished.wait(0.1):
+            fraction = min(max(recorder.fraction_done(), 0.0), 1.0)
+            os.write(fd, f"{fraction} {done} {count}\n".encode())
+
+    thread = threading.Thread(target=report, daemon=True)
+    thread.start()
+    try:
+        yield
+    finally:
+        finished.set()
+        thread.join()
+
+
+if __name__ == "__main__":
+    sys.exit(main())
