@@ -1,0 +1,105 @@
+"""tools/bench: measures the renderer; prints a table and writes JSON."""
+
+import argparse
+import json
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from . import bench_rays, bench_table, pictures
+from .console import CommandError, error
+
+
+@dataclass(frozen=True)
+class Suite:
+    """A kind of measurement: run(arguments) returns rows with the keys of --stats and more."""
+
+    about: str
+    run: Any
+
+
+#: All suites, in one place.
+SUITES = {
+    "rays": Suite("primary rays, by tracer: Mrays/s and bytes a base face", bench_rays.run),
+}
+
+
+def main(arguments: list[str]) -> int:
+    """Runs the command; returns its exit code."""
+    try:
+        options = _parse(arguments)
+        rows = SUITES[options.suite].run(options)
+        print(bench_table.as_text(rows))
+        if options.json:
+            _write_json(rows, options.json)
+        if options.markdown:
+            bench_table.update_page(options.suite, rows, arguments)
+        return 0
+    except CommandError as failure:
+        error(str(failure))
+        return failure.exit_code
+    except KeyboardInterrupt:
+        error("interrupted")
+        return 130
+
+
+class _OneLineParser(argparse.ArgumentParser):
+    def error(self, message: str) -> None:
+        raise CommandError(f"{message} (see {self.prog} --help)", 2)
+
+
+def _parse(arguments: list[str]) -> argparse.Namespace:
+    suites = "; ".join(f"{name}: {suite.about}" for name, suite in SUITES.items())
+    parser = _OneLineParser(
+        prog="tools/bench",
+        allow_abbrev=False,
+        description="Measures the renderer. Nothing is asserted: numbers are for people.",
+    )
+    parser.add_argument("suite", metavar="SUITE", help=suites)
+    parser.add_argument(
+        "--scene", metavar="F", help="a USD scene in place of the suite's own; its first camera"
+    )
+    parser.add_argument("--level", metavar="L", type=_number(0, 8), default=4, help="default: 4")
+    parser.add_argument(
+        "--threads", metavar="N", type=_number(1, 1024), default=1, help="default: 1"
+    )
+    parser.add_argument(
+        "--size", metavar="PIXELS", type=_number(8, 16384), default=1024, help="default: 1024"
+    )
+    parser.add_argument(
+        "--runs", metavar="N", type=_number(1, 1000), default=5, help="medians of this; default: 5"
+    )
+    parser.add_argument("--json", metavar="F", help="write the rows as JSON")
+    parser.add_argument(
+        "--markdown", action="store_true", help="put the table into docs/performance.md"
+    )
+    options = parser.parse_args(arguments)
+    _check(options)
+    return options
+
+
+def _check(options: argparse.Namespace) -> None:
+    if options.suite not in SUITES:
+        raise CommandError(f"unknown suite '{options.suite}' (known: {' '.join(SUITES)})", 2)
+    if options.scene and not Path(options.scene).is_file():
+        raise CommandError(f"{options.scene}: no such file")
+    if options.json:
+        pictures.check_folder(options.json)
+
+
+def _number(lowest: int, highest: int):
+    def read(text: str) -> int:
+        if not text.isdecimal() or not lowest <= int(text) <= highest:
+            raise argparse.ArgumentTypeError(f"'{text}' is not a number from {lowest} to {highest}")
+        return int(text)
+
+    return read
+
+
+def _write_json(rows: list[dict[str, Any]], file: str) -> None:
+    with pictures.Workshop(file) as workshop:
+        made = workshop.path / "rows.json"
+        made.write_text(json.dumps(rows, indent=2) + "\n")
+        pictures.publish(made, file)
+    print(f"rows written to {file}", file=sys.stderr)
