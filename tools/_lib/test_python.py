@@ -1,0 +1,56 @@
+"""Stages that are pytest suites: Hydra, commands, images, scenes and the ABI."""
+
+import os
+
+from . import build, sdk
+from .console import CommandError
+from .paths import BUILD, ROOT, TESTS
+from .test_stage import Outcome, Settings, run_with_report
+
+
+def hydra(_: Settings) -> Outcome:
+    """The plugin inside OpenUSD."""
+    return _pytest("hydra", build.plugin_runtime(quiet=True))
+
+
+def commands(_: Settings) -> Outcome:
+    """The commands of tools/."""
+    return _pytest("commands", build.usd_runtime(quiet=True))
+
+
+def images(_: Settings) -> Outcome:
+    """Pictures against baselines."""
+    return _pytest("images", build.usd_runtime(quiet=True))
+
+
+def scenes(_: Settings) -> Outcome:
+    """The scenes of usd_scenes and their generators."""
+    return _pytest("scenes", build.usd_runtime(quiet=True))
+
+
+def abi(_: Settings) -> Outcome:
+    """The hand-written Hydra declarations against the runtime's binary."""
+    return _pytest("abi", build.usd_runtime(quiet=True))
+
+
+def update_baselines() -> int:
+    """Renders the baselines of the image tests anew. Returns the exit code."""
+    sdk.ensure()
+    finished = build.usd_runtime().run(
+        "-m", "pytest", str(TESTS / "images"), "--update-baselines", cwd=ROOT
+    )
+    return finished.returncode
+
+
+def _pytest(suite: str, runtime: build.Runtime) -> Outcome:
+    folder = TESTS / suite
+    if not folder.is_dir():
+        raise CommandError(f"there is no folder tests/{suite}")
+    report = BUILD / "reports" / f"{suite}.xml"
+    jobs = str(len(os.sched_getaffinity(0)))
+    return run_with_report(
+        [str(runtime.python), "-m", "pytest", str(folder), "-n", jobs, f"--junitxml={report}"],
+        report,
+        cwd=ROOT,
+        env=runtime.environment,
+    )
