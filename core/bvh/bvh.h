@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/math/box.h"
+
+namespace cc {
+
+/// Children of a node: what one SIMD test takes at once.
+constexpr int kBvhWidth = 8;
+
+/// No tree has more levels of nodes.
+constexpr int kBvhMaxDepth = 64;
+
+/// A wide node: the boxes of up to eight children, one array a bound. Unused slots are at the end
+/// and have empty boxes.
+struct alignas(32) BvhNode {
+    float lowerX[kBvhWidth], lowerY[kBvhWidth], lowerZ[kBvhWidth];
+    float upperX[kBvhWidth], upperY[kBvhWidth], upperZ[kBvhWidth];
+    /// An inner node's index, or kBvhLeaf | a primitive's index.
+    uint32_t child[kBvhWidth];
+    int childCount;
+};
+
+constexpr uint32_t kBvhLeaf = 0x80000000u;
+
+/// A bounding volume hierarchy over primitives known by their boxes only: patches of a surface, or
+/// instances of a scene. Built by the surface area heuristic, in parallel; the same boxes give the
+/// same tree.
+class Bvh {
+  public:
+    Bvh() = default;
+    /// Primitives with empty boxes are left out.
+    explicit Bvh(const std::vector<Box3f>& boxes);
+
+    bool IsEmpty() const { return _nodes.empty(); }
+    /// The first node is the root.
+    const std::vector<BvhNode>& Nodes() const { return _nodes; }
+    const Box3f& Bounds() const { return _bounds; }
+    size_t Bytes() const { return _nodes.capacity() * sizeof(BvhNode); }
+
+  private:
+    std::vector<BvhNode> _nodes;
+    Box3f _bounds;
+};
+
+}  // namespace cc

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/math/vec.h"
+
+namespace cc {
+
+/// Rule by which a control mesh becomes a surface (UsdGeomMesh subdivisionScheme).
+enum class Scheme { CatmullClark, Bilinear, None };
+
+/// What happens at the open boundary (UsdGeomMesh interpolateBoundary).
+enum class BoundaryRule { None, EdgeOnly, EdgeAndCorner };
+
+/// How sharpness decays along a crease (Hydra crease method).
+enum class CreaseRule { Uniform, Chaikin };
+
+/// Weights at triangles under Catmull-Clark (UsdGeomMesh triangleSubdivisionRule).
+enum class TriangleRule { CatmullClark, Smooth };
+
+/// The control cage without its points: faces and the tags that shape the surface.
+/// Arrays have the meaning and layout of the UsdGeomMesh attributes of the same name.
+struct ControlMesh {
+    Scheme scheme = Scheme::CatmullClark;
+    BoundaryRule boundaryRule = BoundaryRule::EdgeAndCorner;
+    CreaseRule creaseRule = CreaseRule::Uniform;
+    TriangleRule triangleRule = TriangleRule::CatmullClark;
+    bool leftHanded = false;
+
+    std::vector<int> faceVertexCounts;
+    std::vector<int> faceVertexIndices;
+    std::vector<int> holeIndices;
+
+    std::vector<int> creaseIndices;
+    std::vector<int> creaseLengths;
+    /// One a crease or one an edge of every crease; 10 and above is infinitely sharp.
+    std::vector<float> creaseSharpnesses;
+    std::vector<int> cornerIndices;
+    std::vector<float> cornerSharpnesses;
+
+    int FaceCount() const { return static_cast<int>(faceVertexCounts.size()); }
+};
+
+/// What Validate found: an error makes the mesh unusable, a warning names what was mended.
+struct ControlMeshReport {
+    std::string error;
+    std::vector<std::string> warnings;
+
+    bool IsValid() const { return error.empty(); }
+};
+
+/// Checks the topology and the tags against a number of points, and mends what can be mended:
+/// tags that name no vertex, edge or face of the mesh are dropped, sharpness is clamped to
+/// [0, 10], repeated holes are merged and faces with fewer than three vertices are left out.
+/// Creases are rewritten as runs of two vertices with one sharpness each.
+/// Counts that do not add up and indices out of range cannot be mended.
+ControlMeshReport ValidateControlMesh(ControlMesh* mesh, size_t pointCount);
+
+}  // namespace cc

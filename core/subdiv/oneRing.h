@@ -1,0 +1,62 @@
+#pragma once
+
+#include <vector>
+
+#include <opensubdiv/far/topologyLevel.h>
+
+namespace cc {
+
+/// What the neighbourhood of a face looks like, and so how its surface can be had.
+enum class FaceShape {
+    /// A bicubic B-spline over the 1-ring, some of it extrapolated.
+    Regular,
+    /// One smooth interior corner of valence other than 4, the rest regular.
+    Extraordinary,
+    /// Anything else: not a quad, several extraordinary vertices, sharpness that still decays, a
+    /// corner, dart or crease that no B-spline has.
+    Irregular,
+};
+
+/// The 1-ring of a quad in a 4x4 grid: the face's corners are grid points (1,1) (1,2) (2,2) (2,1)
+/// in rows and columns; row 0 lies beyond the edge between corners 0 and 1.
+///
+/// Where an edge of the face is a boundary or infinitely sharp, the surface ends there for this
+/// face and the points beyond are extrapolated (paper, Figure 2d).
+struct OneRing {
+    static constexpr int kExtrapolated = -1;
+
+    FaceShape shape = FaceShape::Irregular;
+    /// Vertices of the level, or kExtrapolated.
+    int grid[4][4];
+    /// True for edges of the face beyond which points are extrapolated.
+    bool isOpen[4];
+    /// For FaceShape::Extraordinary: which corner, and the ring around it counterclockwise from
+    /// the face's own edge: edge neighbour, face diagonal, edge neighbour, ...
+    int extraordinaryCorner = -1;
+    std::vector<int> extraordinaryRing;
+};
+
+/// Gathers the 1-ring of a face. Works on any topology that OpenSubdiv accepts.
+void GatherOneRing(const OpenSubdiv::Far::TopologyLevel& level, int face, OneRing* ring);
+
+/// Row and column of a face's corner in the 4x4 grid.
+struct GridPosition {
+    int row, column;
+};
+inline GridPosition GridCorner(int corner) {
+    constexpr GridPosition kCorners[4] = {{1, 1}, {1, 2}, {2, 2}, {2, 1}};
+    return kCorners[corner & 3];
+}
+/// The grid point beyond an edge, next to one of the edge's corners.
+inline GridPosition GridAcross(int corner, int edge) {
+    constexpr GridPosition kOutwards[4] = {{-1, 0}, {0, 1}, {1, 0}, {0, -1}};
+    const GridPosition p = GridCorner(corner), d = kOutwards[edge & 3];
+    return {p.row + d.row, p.column + d.column};
+}
+/// The grid point diagonally beyond a corner.
+inline GridPosition GridDiagonal(int corner) {
+    constexpr GridPosition kDiagonals[4] = {{0, 0}, {0, 3}, {3, 3}, {3, 0}};
+    return kDiagonals[corner & 3];
+}
+
+}  // namespace cc

@@ -1,0 +1,214 @@
+#include "core/subdiv/patchBuilder.h"
+
+#include <map>
+#include <memory>
+#include <utility>
+
+#include "core/subdiv/oneRing.h"
+#include "core/subdiv/refinementLevel.h"
+
+namespace cc {
+namespace {
+
+/// Depth at which features that no patch has become bilinear quads.
+constexpr int kMaxDepth = 6;
+
+/// Emits the patches of one refinement level after the other.
+class CatmullClarkBuilder {
+  public:
+    explicit CatmullClarkBuilder(PatchTable* table) : _table(table) {}
+
+    /// Emits the patches of a level; returns the faces that need another step.
+    std::vector<int> AddLevel(RefinementLevel* level) {
+        std::vector<int> irregular;
+        const OpenSubdiv::Far::TopologyLevel topology = level->Topology();
+        for (int face = 0; face < level->FaceCount(); ++face) {
+            if (!level->Origin(face).isVisible) {
+                continue;
+            }
+            GatherOneRing(topology, face, &_ring);
+            if (_ring.shape == FaceShape::Irregular) {
+                if (level->Origin(face).depth < kMaxDepth) {
+                    irregular.push_back(face);
+                } else {
+                    _AddLimitQuad(level, face);
+                }
+                continue;
+            }
+            _GatherGrid(level);
+            if (_ring.shape == FaceShape::Regular) {
+                _AddRegular(level->Origin(face));
+            } else {
+                _AddExtraordinary(level, level->Origin(face));
+            }
+        }
+        return irregular;
+    }
+
+  private:
+    static Patch _MakePatch(const FaceOrigin& origin, PatchKind kind) {
+        Patch patch{};
+        patch.face = origin.face;
+        patch.corner = origin.corner;
+        patch.cellU = origin.cellU;
+        patch.cellV = origin.cellV;
+        patch.valence = 4;
+        patch.depth = origin.depth;
+        patch.kind = kind;
+        patch.isSubQuad = origin.isSubQuad;
+        return patch;
+    }
+
+    uint32_t& _At(GridPosition p) { return _grid[p.row][p.column]; }
+
+    /// The patch point 2a - b, shared by all that ask for it (paper, Figure 2d).
+    uint32_t _Extrapolate(uint32_t a, uint32_t b) {
+        const auto [entry, isNew] = _extrapolated.try_emplace({a, b}, 0);
+        if (isNew) {
+            entry->second = _table->AddPoint({{a, b}, {2, -1}});
+        }
+        return entry->second;
+    }
+
+    /// Turns the ring's vertices into patch points and fills what lies beyond open edges.
+    void _GatherGrid(RefinementLevel* level) {
+        for (int row = 0; row < 4; ++row) {
+            for (int column = 0; column < 4; ++column) {
+                const int vertex = _ring.grid[row][column];
+                if (vertex != OneRing::kExtrapolated) {
+                    _grid[row][column] = level->PatchPoint(vertex, _table);
+                }
+            }
+        }
+        for (int edge = 0; edge < 4; ++edge) {
+            if (_ring.isOpen[edge]) {
+                const int a = edge, b = edge + 1;
+                _At(GridAcross(a, edge)) =
+                    _Extrapolate(_At(GridCorner(a)), _At(GridCorner(edge + 3)));
+                _At(GridAcross(b, edge)) =
+                    _Extrapolate(_At(GridCorner(b)), _At(GridCorner(edge + 2)));
+            }
+        }
+        for (int corner = 0; corner < 4; ++corner) {
+            const int next = corner, previous = (corner + 3) & 3;
+            if (_ring.isOpen[next]) {
+                _At(GridDiagonal(corner)) = _Extrapolate(_At(GridAcross(corner, previous)),
+                                                         _At(GridAcross(previous, previous)));
+            } else if (_ring.isOpen[previous]) {
+                _At(GridDiagonal(corner)) = _Extrapolate(_At(GridAcross(corner, next)),
+                                                         _At(GridAcross(corner + 1, next)));
+            }
+        }
+    }
+
+    void _AddRegular(const FaceOrigin& origin) {
+        _table->AddPatch(_MakePatch(origin, PatchKind::Regular), &_grid[0][0], 16);
+    }
+
+    void _AddExtraordinary(RefinementLevel* level, const FaceOrigin& origin) {
+        const int corner = _ring.extraordinaryCorner;
+        std::vector<uint32_t> points{_At(GridCorner(corner))};
+        for (int vertex : _ring.extraordinaryRing) {
+            points.push_back(level->PatchPoint(vertex, _table));
+        }
+        const int c1 = corner + 1, c2 = corner + 2, c3 = corner + 3;
+        points.insert(points.end(),
+                      {_At(GridDiagonal(c1)), _At(GridAcross(c1, c1)), _At(GridAcross(c2, c1)),
+                       _At(GridDiagonal(c2)), _At(GridAcross(c2, c2)), _At(GridAcross(c3, c2)),
+                       _At(GridDiagonal(c3))});
+        Patch patch = _MakePatch(origin, PatchKind::Extraordinary);
+        patch.valence = static_cast<uint16_t>(_ring.extraordinaryRing.size() / 2);
+        patch.rotation = corner & 3;
+        _table->AddPatch(patch, points.data(), static_cast<int>(points.size()));
+    }
+
+    void _AddLimitQuad(RefinementLevel* level, int face) {
+        uint32_t points[4];
+        const auto vertices = level->Topology().GetFaceVertices(face);
+        for (int i = 0; i < 4; ++i) {
+            points[i] = level->LimitPoint(vertices[i], _table);
+        }
+        _table->AddPatch(_MakePatch(level->Origin(face), PatchKind::Bilinear), points, 4);
+    }
+
+    PatchTable* const _table;
+    OneRing _ring;
+    uint32_t _grid[4][4];
+    std::map<std::pair<uint32_t, uint32_t>, uint32_t> _extrapolated;
+};
+
+void AddCatmullClark(const ControlMesh& mesh, size_t pointCount, PatchTable* table,
+                     std::string* error) {
+    std::vector<std::unique_ptr<RefinementLevel>> levels;
+    levels.push_back(std::make_unique<RefinementLevel>(mesh, pointCount, error));
+    CatmullClarkBuilder builder(table);
+    while (levels.back()->IsValid()) {
+        const std::vector<int> irregular = builder.AddLevel(levels.back().get());
+        if (irregular.empty()) {
+            return;
+        }
+        levels.push_back(std::make_unique<RefinementLevel>(levels.back().get(), irregular));
+    }
+    if (error->empty()) {
+        *error = "the topology cannot be refined";
+    }
+}
+
+/// Bilinear and polygonal faces: a quad is its own patch, an n-gon becomes n of them.
+void AddBilinear(const ControlMesh& mesh, PatchTable* table) {
+    std::vector<char> isHole(mesh.faceVertexCounts.size(), 0);
+    for (int hole : mesh.holeIndices) {
+        isHole[hole] = 1;
+    }
+    const int* vertices = mesh.faceVertexIndices.data();
+    for (uint32_t face = 0; face < mesh.faceVertexCounts.size(); ++face) {
+        const int count = mesh.faceVertexCounts[face];
+        const std::vector<uint32_t> points(vertices, vertices + count);
+        vertices += count;
+        if (isHole[face] || count < 3) {
+            continue;
+        }
+        Patch patch{};
+        patch.face = face;
+        patch.valence = 4;
+        patch.kind = PatchKind::Bilinear;
+        if (count == 4) {
+            table->AddPatch(patch, points.data(), 4);
+            continue;
+        }
+        patch.depth = 1;
+        patch.isSubQuad = 1;
+        const uint32_t center = table->AddPoint(
+            {points, std::vector<float>(count, 1.0f / static_cast<float>(count))});
+        std::vector<uint32_t> middles;
+        for (int i = 0; i < count; ++i) {
+            middles.push_back(
+                table->AddPoint({{points[i], points[(i + 1) % count]}, {0.5f, 0.5f}}));
+        }
+        for (int i = 0; i < count; ++i) {
+            patch.corner = i;
+            const uint32_t quad[4] = {points[i], middles[i], center,
+                                      middles[(i + count - 1) % count]};
+            table->AddPatch(patch, quad, 4);
+        }
+    }
+}
+
+}  // namespace
+
+PatchTable BuildPatchTable(const ControlMesh& mesh, size_t pointCount, std::string* error) {
+    error->clear();
+    PatchTable table(pointCount, mesh.leftHanded);
+    if (mesh.scheme == Scheme::CatmullClark) {
+        AddCatmullClark(mesh, pointCount, &table, error);
+    } else {
+        AddBilinear(mesh, &table);
+    }
+    if (!error->empty()) {
+        return PatchTable(pointCount, mesh.leftHanded);
+    }
+    table.Finish();
+    return table;
+}
+
+}  // namespace cc

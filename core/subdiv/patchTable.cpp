@@ -1,0 +1,91 @@
+#include "core/subdiv/patchTable.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace cc {
+
+int PatchTable::IndexCount(uint32_t patch) const {
+    switch (_patches[patch].kind) {
+        case PatchKind::Regular:
+            return 16;
+        case PatchKind::Bilinear:
+            return 4;
+        case PatchKind::Extraordinary:
+            break;
+    }
+    return 2 * _patches[patch].valence + 8;
+}
+
+std::vector<Vec3f> PatchTable::PatchPoints(const std::vector<Vec3f>& cageValues) const {
+    assert(cageValues.size() == _cagePointCount);
+    std::vector<Vec3f> points(PointCount());
+    std::copy(cageValues.begin(), cageValues.end(), points.begin());
+    size_t entry = 0;
+    for (size_t i = 0; i < _stencilEnds.size(); ++i) {
+        // Doubles keep a long sum from drifting between neighbours.
+        double x = 0, y = 0, z = 0;
+        for (; entry < _stencilEnds[i]; ++entry) {
+            const Vec3f& p = points[_stencilIndices[entry]];
+            const double weight = _stencilWeights[entry];
+            x += weight * p.x;
+            y += weight * p.y;
+            z += weight * p.z;
+        }
+        points[_cagePointCount + i] = {static_cast<float>(x), static_cast<float>(y),
+                                       static_cast<float>(z)};
+    }
+    return points;
+}
+
+FaceParameter PatchTable::ToFace(uint32_t patch, float u, float v) const {
+    const Patch& p = _patches[patch];
+    float cellU = u, cellV = v;
+    switch (p.rotation) {
+        case 1:
+            cellU = 1 - v, cellV = u;
+            break;
+        case 2:
+            cellU = 1 - u, cellV = 1 - v;
+            break;
+        case 3:
+            cellU = v, cellV = 1 - u;
+            break;
+        default:
+            break;
+    }
+    const float size = 1.0f / static_cast<float>(1 << (p.depth - p.isSubQuad));
+    return {p.face, p.corner, (static_cast<float>(p.cellU) + cellU) * size,
+            (static_cast<float>(p.cellV) + cellV) * size};
+}
+
+size_t PatchTable::Bytes() const {
+    return _patches.capacity() * sizeof(Patch) + _indices.capacity() * sizeof(uint32_t) +
+           _stencilEnds.capacity() * sizeof(uint32_t) +
+           _stencilIndices.capacity() * sizeof(uint32_t) +
+           _stencilWeights.capacity() * sizeof(float);
+}
+
+uint32_t PatchTable::AddPoint(const Stencil& stencil) {
+    _stencilIndices.insert(_stencilIndices.end(), stencil.indices.begin(), stencil.indices.end());
+    _stencilWeights.insert(_stencilWeights.end(), stencil.weights.begin(), stencil.weights.end());
+    _stencilEnds.push_back(static_cast<uint32_t>(_stencilIndices.size()));
+    return static_cast<uint32_t>(PointCount() - 1);
+}
+
+void PatchTable::AddPatch(Patch patch, const uint32_t* indices, int count) {
+    patch.firstIndex = static_cast<uint32_t>(_indices.size());
+    _indices.insert(_indices.end(), indices, indices + count);
+    _patches.push_back(patch);
+    _maxDepth = std::max(_maxDepth, static_cast<int>(patch.depth));
+}
+
+void PatchTable::Finish() {
+    _patches.shrink_to_fit();
+    _indices.shrink_to_fit();
+    _stencilEnds.shrink_to_fit();
+    _stencilIndices.shrink_to_fit();
+    _stencilWeights.shrink_to_fit();
+}
+
+}  // namespace cc

@@ -1,0 +1,101 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/math/vec.h"
+
+namespace cc {
+
+/// How the control points of a patch define its surface.
+enum class PatchKind : uint8_t {
+    /// 16 points: a bicubic B-spline, the 1-ring of a regular quad (paper, Figure 2b). Rows run
+    /// along u; the face's corners are points 5, 6, 10 and 9.
+    Regular,
+    /// 4 points: a bilinear quad, corners in the order (0,0) (1,0) (1,1) (0,1).
+    Bilinear,
+    /// 2n + 8 points: a quad with one extraordinary vertex of valence n at (0,0) (Figure 2c), in
+    /// the order of ExtraordinaryPatch.
+    Extraordinary,
+};
+
+/// One quad of the surface with its 1-ring.
+struct Patch {
+    uint32_t firstIndex;  ///< into PatchTable's index array
+    uint32_t face;        ///< the authored face
+    uint32_t corner;      ///< of an n-gon: which of its n sub-quads; else 0
+    uint16_t cellU, cellV;  ///< which of the 2^cellDepth x 2^cellDepth cells of the (sub-)quad
+    uint16_t valence;       ///< of the extraordinary vertex; else 4
+    uint8_t depth;          ///< refinement steps between the cage and this quad
+    PatchKind kind : 4;
+    uint8_t rotation : 2;  ///< corner of the cell that (0,0) of the patch lies at
+    uint8_t isSubQuad : 1;  ///< the authored face is not a quad: cells count from its sub-quads
+};
+
+/// Where a point of a patch lies on its authored face. On a quad, (0,0) is the first corner and u
+/// runs towards the second. On an n-gon, (u, v) covers the sub-quad of one corner: (0,0) is that
+/// corner, u runs towards the middle of the edge to the next one, (1,1) is the face's centre.
+struct FaceParameter {
+    uint32_t face;
+    uint32_t corner;
+    float u, v;
+};
+
+/// A value made from others: the sum of weight times value.
+struct Stencil {
+    std::vector<uint32_t> indices;
+    std::vector<float> weights;
+};
+
+/// All patches of a mesh. They share points: the points of the cage come first, then those that
+/// refinement and extrapolation add, each a weighted sum of points before it. Positions and vertex
+/// primvars are refined alike.
+class PatchTable {
+  public:
+    size_t Count() const { return _patches.size(); }
+    const Patch& At(uint32_t patch) const { return _patches[patch]; }
+    const uint32_t* Indices(uint32_t patch) const { return &_indices[_patches[patch].firstIndex]; }
+    /// Number of control points of a patch.
+    int IndexCount(uint32_t patch) const;
+    uint32_t AuthoredFace(uint32_t patch) const { return _patches[patch].face; }
+    /// Refinement steps of the patch that took most of them.
+    int MaxDepth() const { return _maxDepth; }
+    /// True if the cage's faces run clockwise: normals are flipped.
+    bool IsLeftHanded() const { return _leftHanded; }
+
+    size_t CagePointCount() const { return _cagePointCount; }
+    size_t PointCount() const { return _cagePointCount + _stencilEnds.size(); }
+
+    /// The values of all patch points, given those of the cage's (CagePointCount of them).
+    std::vector<Vec3f> PatchPoints(const std::vector<Vec3f>& cageValues) const;
+
+    FaceParameter ToFace(uint32_t patch, float u, float v) const;
+
+    /// Memory held, in bytes.
+    size_t Bytes() const;
+
+    // For builders:
+
+    PatchTable() = default;
+    PatchTable(size_t cagePointCount, bool leftHanded)
+        : _cagePointCount(cagePointCount), _leftHanded(leftHanded) {}
+    /// Adds a point made of earlier ones; returns its index.
+    uint32_t AddPoint(const Stencil& stencil);
+    /// Adds a patch; its firstIndex is set to where its indices go.
+    void AddPatch(Patch patch, const uint32_t* indices, int count);
+    /// Gives back memory that was reserved for growth.
+    void Finish();
+
+  private:
+    std::vector<Patch> _patches;
+    std::vector<uint32_t> _indices;
+    size_t _cagePointCount = 0;
+    std::vector<uint32_t> _stencilEnds;
+    std::vector<uint32_t> _stencilIndices;
+    std::vector<float> _stencilWeights;
+    int _maxDepth = 0;
+    bool _leftHanded = false;
+};
+
+}  // namespace cc

@@ -1,0 +1,331 @@
+#include "core/subdiv/refinementLevel.h"
+
+#include <algorithm>
+#include <mutex>
+
+#include <opensubdiv/far/error.h>
+#include <opensubdiv/far/primvarRefiner.h>
+#include <opensubdiv/far/topologyDescriptor.h>
+#include <opensubdiv/sdc/crease.h>
+
+namespace cc {
+namespace {
+
+namespace Far = OpenSubdiv::Far;
+namespace Sdc = OpenSubdiv::Sdc;
+
+constexpr uint32_t kNoPoint = 0xffffffffu;
+
+thread_local std::string* currentError = nullptr;
+
+/// Keeps OpenSubdiv's messages off stderr: the last one becomes the reason of a failure.
+void CatchMessages() {
+    static std::once_flag once;
+    std::call_once(once, [] {
+        Far::SetErrorCallback([](Far::ErrorType, const char* message) {
+            if (currentError != nullptr) {
+                *currentError = message;
+            }
+        });
+        Far::SetWarningCallback([](const char*) {});
+    });
+}
+
+/// A mesh as OpenSubdiv's factory takes it, with its arrays.
+struct Description {
+    std::vector<int> counts, indices;
+    std::vector<int> creaseVertices;
+    std::vector<float> creaseSharpness;
+    std::vector<int> cornerVertices;
+    std::vector<float> cornerSharpness;
+    int vertexCount = 0;
+
+    void AddCrease(int a, int b, float sharpness) {
+        creaseVertices.push_back(a);
+        creaseVertices.push_back(b);
+        creaseSharpness.push_back(sharpness);
+    }
+    void AddCorner(int vertex, float sharpness) {
+        cornerVertices.push_back(vertex);
+        cornerSharpness.push_back(sharpness);
+    }
+
+    std::unique_ptr<Far::TopologyRefiner> CreateRefiner(const Sdc::Options& options) const {
+        Far::TopologyDescriptor d;
+        d.numVertices = vertexCount;
+        d.numFaces = static_cast<int>(counts.size());
+        d.numVertsPerFace = counts.data();
+        d.vertIndicesPerFace = indices.data();
+        d.numCreases = static_cast<int>(creaseSharpness.size());
+        d.creaseVertexIndexPairs = creaseVertices.data();
+        d.creaseWeights = creaseSharpness.data();
+        d.numCorners = static_cast<int>(cornerSharpness.size());
+        d.cornerVertexIndices = cornerVertices.data();
+        d.cornerWeights = cornerSharpness.data();
+        using Factory = Far::TopologyRefinerFactory<Far::TopologyDescriptor>;
+        return std::unique_ptr<Far::TopologyRefiner>(
+            Factory::Create(d, Factory::Options(Sdc::SCHEME_CATMARK, options)));
+    }
+};
+
+Sdc::Options OptionsOf(const ControlMesh& mesh) {
+    Sdc::Options options;
+    options.SetVtxBoundaryInterpolation(
+        mesh.boundaryRule == BoundaryRule::None       ? Sdc::Options::VTX_BOUNDARY_NONE
+        : mesh.boundaryRule == BoundaryRule::EdgeOnly ? Sdc::Options::VTX_BOUNDARY_EDGE_ONLY
+                                                      : Sdc::Options::VTX_BOUNDARY_EDGE_AND_CORNER);
+    options.SetCreasingMethod(mesh.creaseRule == CreaseRule::Chaikin ? Sdc::Options::CREASE_CHAIKIN
+                                                                     : Sdc::Options::CREASE_UNIFORM);
+    options.SetTriangleSubdivision(mesh.triangleRule == TriangleRule::Smooth
+                                       ? Sdc::Options::TRI_SUB_SMOOTH
+                                       : Sdc::Options::TRI_SUB_CATMARK);
+    return options;
+}
+
+/// Adds the creases of a validated mesh: runs of two vertices with a sharpness each.
+void AddCreases(const ControlMesh& mesh, Description* description) {
+    for (size_t i = 0; i < mesh.creaseSharpnesses.size(); ++i) {
+        description->AddCrease(mesh.creaseIndices[2 * i], mesh.creaseIndices[2 * i + 1],
+                               mesh.creaseSharpnesses[i]);
+    }
+}
+
+/// The faces around the vertices of the faces listed, in ascending order.
+std::vector<int> FacesAndNeighbors(const Far::TopologyLevel& level, const std::vector<int>& faces) {
+    std::vector<char> isIn(level.GetNumFaces(), 0);
+    for (int face : faces) {
+        for (Far::Index vertex : level.GetFaceVertices(face)) {
+            for (Far::Index neighbor : level.GetVertexFaces(vertex)) {
+                isIn[neighbor] = 1;
+            }
+        }
+    }
+    std::vector<int> result;
+    for (int face = 0; face < level.GetNumFaces(); ++face) {
+        if (isIn[face]) {
+            result.push_back(face);
+        }
+    }
+    return result;
+}
+
+/// A part of a level as a mesh of its own. Its cut edges become boundaries, which shape nothing
+/// that descends from faces whose neighbours are all present.
+struct Part {
+    std::unique_ptr<Far::TopologyRefiner> refiner;
+    std::vector<int> vertices;  ///< of the level, for each vertex of the part
+};
+
+Part ExtractPart(const Far::TopologyLevel& level, const std::vector<int>& faces,
+                 Sdc::Options options) {
+    Part part;
+    Description description;
+    std::vector<int> toPart(level.GetNumVertices(), -1);
+    std::vector<char> isEdgeSeen(level.GetNumEdges(), 0);
+    for (int face : faces) {
+        const Far::ConstIndexArray vertices = level.GetFaceVertices(face);
+        description.counts.push_back(vertices.size());
+        for (Far::Index vertex : vertices) {
+            if (toPart[vertex] < 0) {
+                toPart[vertex] = description.vertexCount++;
+                part.vertices.push_back(vertex);
+                if (level.GetVertexSharpness(vertex) > 0) {
+                    description.AddCorner(toPart[vertex], level.GetVertexSharpness(vertex));
+                }
+            }
+            description.indices.push_back(toPart[vertex]);
+        }
+    }
+    for (int face : faces) {
+        for (Far::Index edge : level.GetFaceEdges(face)) {
+            if (!isEdgeSeen[edge] && level.GetEdgeSharpness(edge) > 0) {
+                isEdgeSeen[edge] = 1;
+                const Far::ConstIndexArray ends = level.GetEdgeVertices(edge);
+                description.AddCrease(toPart[ends[0]], toPart[ends[1]],
+                                      level.GetEdgeSharpness(edge));
+            }
+        }
+    }
+    // Corners of the real boundary carry their sharpness already; those of the cut need none.
+    options.SetVtxBoundaryInterpolation(Sdc::Options::VTX_BOUNDARY_EDGE_ONLY);
+    part.refiner = description.CreateRefiner(options);
+    return part;
+}
+
+/// The child's vertices, from the corner of its cell that (0,0) of the parent's parameters is
+/// nearest to on.
+void OrderChild(const Far::ConstIndexArray& child, Far::Index cornerVertex, int cellCorner,
+                int ordered[4]) {
+    const int at = child.FindIndex(cornerVertex);
+    for (int i = 0; i < 4; ++i) {
+        ordered[i] = child[(at + i - cellCorner + 4) & 3];
+    }
+}
+
+FaceOrigin ChildOrigin(const FaceOrigin& parent, int corner, bool parentIsQuad) {
+    FaceOrigin origin = parent;
+    ++origin.depth;
+    if (!parentIsQuad) {
+        origin.corner = corner;
+        origin.isSubQuad = true;
+        return origin;
+    }
+    origin.cellU = static_cast<uint16_t>(2 * parent.cellU + (corner == 1 || corner == 2));
+    origin.cellV = static_cast<uint16_t>(2 * parent.cellV + (corner >= 2));
+    return origin;
+}
+
+}  // namespace
+
+void RefinementLevel::MaskRow::Clear() {
+    vertices.clear();
+    weights.clear();
+}
+
+void RefinementLevel::MaskRow::AddWithWeight(const MaskRow& row, float weight) {
+    for (size_t i = 0; i < row.vertices.size(); ++i) {
+        const auto found = std::find(vertices.begin(), vertices.end(), row.vertices[i]);
+        if (found != vertices.end()) {
+            weights[found - vertices.begin()] += weight * row.weights[i];
+        } else {
+            vertices.push_back(row.vertices[i]);
+            weights.push_back(weight * row.weights[i]);
+        }
+    }
+}
+
+RefinementLevel::RefinementLevel(const ControlMesh& mesh, size_t pointCount, std::string* error) {
+    CatchMessages();
+    Description description;
+    description.vertexCount = static_cast<int>(pointCount);
+    std::vector<char> isHole(mesh.faceVertexCounts.size(), 0);
+    for (int hole : mesh.holeIndices) {
+        isHole[hole] = 1;
+    }
+    size_t first = 0;
+    for (size_t face = 0; face < mesh.faceVertexCounts.size(); ++face) {
+        const int count = mesh.faceVertexCounts[face];
+        if (count >= 3) {
+            description.counts.push_back(count);
+            description.indices.insert(description.indices.end(),
+                                       mesh.faceVertexIndices.begin() + first,
+                                       mesh.faceVertexIndices.begin() + first + count);
+            _origins.push_back(
+                {static_cast<uint32_t>(face), 0, 0, 0, 0, false, isHole[face] == 0});
+        }
+        first += count;
+    }
+    AddCreases(mesh, &description);
+    for (size_t i = 0; i < mesh.cornerIndices.size(); ++i) {
+        description.AddCorner(mesh.cornerIndices[i], mesh.cornerSharpnesses[i]);
+    }
+    currentError = error;
+    _refiner = description.CreateRefiner(OptionsOf(mesh));
+    currentError = nullptr;
+    if (!_refiner) {
+        return;
+    }
+    for (int face = 0; face < FaceCount(); ++face) {
+        // Without boundary interpolation OpenSubdiv drops the faces along the boundary.
+        _origins[face].isVisible = _origins[face].isVisible && !Topology().IsFaceHole(face);
+    }
+    _patchPoints.resize(pointCount);
+    for (size_t i = 0; i < pointCount; ++i) {
+        _patchPoints[i] = static_cast<uint32_t>(i);
+    }
+}
+
+RefinementLevel::RefinementLevel(RefinementLevel* parent, const std::vector<int>& faces)
+    : _parent(parent) {
+    const Far::TopologyLevel parentLevel = parent->Topology();
+    const std::vector<int> partFaces = FacesAndNeighbors(parentLevel, faces);
+    Part part =
+        ExtractPart(parentLevel, partFaces, parent->_refiner->GetSchemeOptions());
+    if (!part.refiner) {
+        return;
+    }
+    Far::TopologyRefiner::UniformOptions uniform(1);
+    uniform.fullTopologyInLastLevel = true;
+    part.refiner->RefineUniform(uniform);
+    const Far::TopologyLevel coarse = part.refiner->GetLevel(0);
+    const Far::TopologyLevel fine = part.refiner->GetLevel(1);
+
+    std::vector<char> isRefined(parentLevel.GetNumFaces(), 0);
+    for (int face : faces) {
+        isRefined[face] = 1;
+    }
+
+    // The fine level as a mesh of its own, its faces turned so that their cells line up.
+    Description description;
+    description.vertexCount = fine.GetNumVertices();
+    for (int face = 0; face < coarse.GetNumFaces(); ++face) {
+        const FaceOrigin& origin = parent->Origin(partFaces[face]);
+        const Far::ConstIndexArray corners = coarse.GetFaceVertices(face);
+        const Far::ConstIndexArray children = coarse.GetFaceChildFaces(face);
+        const bool isQuad = corners.size() == 4;
+        for (int corner = 0; corner < corners.size(); ++corner) {
+            int vertices[4];
+            OrderChild(fine.GetFaceVertices(children[corner]),
+                       coarse.GetVertexChildVertex(corners[corner]), isQuad ? corner : 0, vertices);
+            description.counts.push_back(4);
+            description.indices.insert(description.indices.end(), vertices, vertices + 4);
+            FaceOrigin child = ChildOrigin(origin, corner, isQuad);
+            child.isVisible = origin.isVisible && isRefined[partFaces[face]];
+            _origins.push_back(child);
+        }
+    }
+    for (int edge = 0; edge < fine.GetNumEdges(); ++edge) {
+        if (fine.GetEdgeSharpness(edge) > 0) {
+            const Far::ConstIndexArray ends = fine.GetEdgeVertices(edge);
+            description.AddCrease(ends[0], ends[1], fine.GetEdgeSharpness(edge));
+        }
+    }
+    for (int vertex = 0; vertex < fine.GetNumVertices(); ++vertex) {
+        if (fine.GetVertexSharpness(vertex) > 0) {
+            description.AddCorner(vertex, fine.GetVertexSharpness(vertex));
+        }
+    }
+    _refiner = description.CreateRefiner(part.refiner->GetSchemeOptions());
+
+    std::vector<MaskRow> identity(part.vertices.size());
+    for (size_t i = 0; i < identity.size(); ++i) {
+        identity[i] = {{part.vertices[i]}, {1}};
+    }
+    _rows.resize(fine.GetNumVertices());
+    Far::PrimvarRefiner(*part.refiner).Interpolate(1, identity, _rows);
+    _patchPoints.assign(fine.GetNumVertices(), kNoPoint);
+}
+
+Stencil RefinementLevel::_ToStencil(const MaskRow& row, RefinementLevel* level, PatchTable* table) {
+    Stencil stencil;
+    stencil.weights = row.weights;
+    for (int vertex : row.vertices) {
+        stencil.indices.push_back(level->PatchPoint(vertex, table));
+    }
+    return stencil;
+}
+
+uint32_t RefinementLevel::PatchPoint(int vertex, PatchTable* table) {
+    if (_patchPoints[vertex] == kNoPoint) {
+        _patchPoints[vertex] = table->AddPoint(_ToStencil(_rows[vertex], _parent, table));
+    }
+    return _patchPoints[vertex];
+}
+
+uint32_t RefinementLevel::LimitPoint(int vertex, PatchTable* table) {
+    if (_limitRows.empty()) {
+        std::vector<MaskRow> identity(Topology().GetNumVertices());
+        for (size_t i = 0; i < identity.size(); ++i) {
+            identity[i] = {{static_cast<int>(i)}, {1}};
+        }
+        _limitRows.resize(identity.size());
+        Far::PrimvarRefiner(*_refiner).Limit(identity, _limitRows);
+        _limitPoints.assign(identity.size(), kNoPoint);
+    }
+    if (_limitPoints[vertex] == kNoPoint) {
+        _limitPoints[vertex] = table->AddPoint(_ToStencil(_limitRows[vertex], this, table));
+    }
+    return _limitPoints[vertex];
+}
+
+}  // namespace cc

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <opensubdiv/far/topologyRefiner.h>
+
+#include "core/subdiv/controlMesh.h"
+#include "core/subdiv/patchTable.h"
+
+namespace cc {
+
+/// Where a quad of some level lies on its authored face (see Patch).
+struct FaceOrigin {
+    uint32_t face;
+    uint32_t corner;
+    uint16_t cellU, cellV;
+    uint8_t depth;
+    bool isSubQuad;
+    /// False for faces that are here only because they shape their neighbours.
+    bool isVisible;
+};
+
+/// A piece of the mesh after some Catmull-Clark steps. Level 0 is the whole cage; each further
+/// level holds the faces that still need refinement and their neighbours, one step finer.
+class RefinementLevel {
+  public:
+    /// The cage. Faces with fewer than three vertices are left out. On failure IsValid is false
+    /// and error says why.
+    RefinementLevel(const ControlMesh& mesh, size_t pointCount, std::string* error);
+
+    /// One step: the children of the faces listed, with all that shapes them.
+    RefinementLevel(RefinementLevel* parent, const std::vector<int>& faces);
+
+    bool IsValid() const { return _refiner != nullptr; }
+    OpenSubdiv::Far::TopologyLevel Topology() const { return _refiner->GetLevel(0); }
+    int FaceCount() const { return static_cast<int>(_origins.size()); }
+    const FaceOrigin& Origin(int face) const { return _origins[face]; }
+
+    /// The patch point of a vertex, added to the table when it is first asked for.
+    uint32_t PatchPoint(int vertex, PatchTable* table);
+    /// The patch point at the limit position of a vertex.
+    uint32_t LimitPoint(int vertex, PatchTable* table);
+
+  private:
+    /// Local vertices and weights; the value type that OpenSubdiv's masks act on.
+    struct MaskRow {
+        std::vector<int> vertices;
+        std::vector<float> weights;
+        void Clear();
+        void AddWithWeight(const MaskRow& row, float weight);
+    };
+
+    Stencil _ToStencil(const MaskRow& row, RefinementLevel* level, PatchTable* table);
+
+    std::unique_ptr<OpenSubdiv::Far::TopologyRefiner> _refiner;
+    RefinementLevel* _parent = nullptr;
+    std::vector<FaceOrigin> _origins;
+    /// Above the cage: how a vertex comes from the parent's.
+    std::vector<MaskRow> _rows;
+    std::vector<uint32_t> _patchPoints;
+    std::vector<MaskRow> _limitRows;
+    std::vector<uint32_t> _limitPoints;
+};
+
+}  // namespace cc

@@ -1,0 +1,124 @@
+// Per-target include guard, as Highway's foreach_target asks for.
+#if defined(CC_TRACE_BEZIER_ROWS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef CC_TRACE_BEZIER_ROWS_INL_H
+#undef CC_TRACE_BEZIER_ROWS_INL_H
+#else
+#define CC_TRACE_BEZIER_ROWS_INL_H
+#endif
+
+#include <hwy/highway.h>
+
+#include "core/math/box.h"
+#include "core/subdiv/bezierPatch.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace cc {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// A bicubic Bezier patch laid out for SIMD: four rows of four columns, with the x, y and z of a
+/// row side by side in blocks of four lanes (the fourth block is padding). One vector operation
+/// then acts on all coordinates of a row, at any vector width up to sixteen lanes.
+struct alignas(64) BezierRows {
+    float rows[4][16];
+
+    explicit BezierRows(const BezierPatch& patch) {
+        for (int r = 0; r < 4; ++r) {
+            for (int c = 0; c < 4; ++c) {
+                rows[r][c] = patch.points[r][c].x;
+                rows[r][4 + c] = patch.points[r][c].y;
+                rows[r][8 + c] = patch.points[r][c].z;
+                rows[r][12 + c] = 0;
+            }
+        }
+    }
+    BezierRows() = default;
+
+    /// A corner of the patch: a point of the limit surface.
+    Vec3f Corner(int row, int column) const {
+        const float* r = &rows[3 * row][3 * column];
+        return {r[0], r[4], r[8]};
+    }
+};
+
+using RowTag = hn::CappedTag<float, 16>;
+using RowVector = hn::Vec<RowTag>;
+
+/// De Casteljau at the middle, between rows: both halves of a part of the lanes.
+struct SplitRowsResult {
+    RowVector low[4], high[4];
+};
+HWY_INLINE SplitRowsResult SplitRows(RowVector r0, RowVector r1, RowVector r2, RowVector r3) {
+    const RowVector half = hn::Set(RowTag(), 0.5f);
+    const RowVector ab = hn::Mul(hn::Add(r0, r1), half);
+    const RowVector bc = hn::Mul(hn::Add(r1, r2), half);
+    const RowVector cd = hn::Mul(hn::Add(r2, r3), half);
+    const RowVector abc = hn::Mul(hn::Add(ab, bc), half);
+    const RowVector bcd = hn::Mul(hn::Add(bc, cd), half);
+    const RowVector middle = hn::Mul(hn::Add(abc, bcd), half);
+    return {{r0, ab, abc, middle}, {middle, bcd, cd, r3}};
+}
+
+/// Exchanges rows and columns of the 4x4 block of every coordinate.
+HWY_INLINE void TransposeRows(RowVector r[4]) {
+    const RowTag d;
+    const RowVector lower02 = hn::InterleaveLower(d, r[0], r[2]);
+    const RowVector upper02 = hn::InterleaveUpper(d, r[0], r[2]);
+    const RowVector lower13 = hn::InterleaveLower(d, r[1], r[3]);
+    const RowVector upper13 = hn::InterleaveUpper(d, r[1], r[3]);
+    r[0] = hn::InterleaveLower(d, lower02, lower13);
+    r[1] = hn::InterleaveUpper(d, lower02, lower13);
+    r[2] = hn::InterleaveLower(d, upper02, upper13);
+    r[3] = hn::InterleaveUpper(d, upper02, upper13);
+}
+
+/// Splits a patch in both directions. Quarter 2a + b is half a of the rows and half b of the
+/// columns. The quarters come out transposed: their rows run where the columns of the patch ran,
+/// which saves a transposition, and two splits restore the order.
+HWY_INLINE void SplitPatch(const BezierRows& patch, BezierRows quarters[4]) {
+    const RowTag d;
+    for (size_t lane = 0; lane < 16; lane += hn::Lanes(d)) {
+        SplitRowsResult halves =
+            SplitRows(hn::Load(d, patch.rows[0] + lane), hn::Load(d, patch.rows[1] + lane),
+                      hn::Load(d, patch.rows[2] + lane), hn::Load(d, patch.rows[3] + lane));
+        for (int half = 0; half < 2; ++half) {
+            RowVector* rows = half == 0 ? halves.low : halves.high;
+            TransposeRows(rows);
+            const SplitRowsResult split = SplitRows(rows[0], rows[1], rows[2], rows[3]);
+            for (int r = 0; r < 4; ++r) {
+                hn::Store(split.low[r], d, quarters[2 * half].rows[r] + lane);
+                hn::Store(split.high[r], d, quarters[2 * half + 1].rows[r] + lane);
+            }
+        }
+    }
+}
+
+/// The box of the control points: it holds the patch (convex hull property).
+HWY_INLINE Box3f HullBox(const BezierRows& patch) {
+    const RowTag d;
+    alignas(64) float lower[16], upper[16];
+    for (size_t lane = 0; lane < 16; lane += hn::Lanes(d)) {
+        const RowVector r0 = hn::Load(d, patch.rows[0] + lane);
+        const RowVector r1 = hn::Load(d, patch.rows[1] + lane);
+        const RowVector r2 = hn::Load(d, patch.rows[2] + lane);
+        const RowVector r3 = hn::Load(d, patch.rows[3] + lane);
+        RowVector low = hn::Min(hn::Min(r0, r1), hn::Min(r2, r3));
+        RowVector high = hn::Max(hn::Max(r0, r1), hn::Max(r2, r3));
+        low = hn::Min(low, hn::Shuffle2301(low));
+        high = hn::Max(high, hn::Shuffle2301(high));
+        low = hn::Min(low, hn::Shuffle1032(low));
+        high = hn::Max(high, hn::Shuffle1032(high));
+        hn::Store(low, d, lower + lane);
+        hn::Store(high, d, upper + lane);
+    }
+    Box3f box;
+    box.lower = {lower[0], lower[4], lower[8]};
+    box.upper = {upper[0], upper[4], upper[8]};
+    return box;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace cc
+HWY_AFTER_NAMESPACE();
+
+#endif

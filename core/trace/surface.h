@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "core/bvh/bvh.h"
+#include "core/math/box.h"
+#include "core/subdiv/controlMesh.h"
+#include "core/subdiv/patchTable.h"
+
+namespace cc {
+
+/// A mesh that rays can hit: its patches and the BVH over them, in the mesh's own space.
+class Surface {
+  public:
+    /// Converts a validated control mesh and its points. A mesh without any visible face, or with
+    /// topology that cannot be used, gives a surface without patches, which no ray hits.
+    Surface(const ControlMesh& mesh, const std::vector<Vec3f>& points);
+
+    /// Moves the control points, as many as before: patches stay, bounds and BVH are made anew.
+    void SetPoints(const std::vector<Vec3f>& points);
+
+    /// Why the topology cannot be used; empty if it can.
+    const std::string& Error() const { return _error; }
+
+    const PatchTable& Patches() const { return _patches; }
+    /// The control points of the patches: cage points first, then those that refinement added.
+    const std::vector<Vec3f>& PatchPoints() const { return _patchPoints; }
+    const Bvh& PatchBvh() const { return _bvh; }
+    /// Bounds of the limit surface in object space.
+    const Box3f& Bounds() const { return _bvh.Bounds(); }
+    /// Memory held, in bytes.
+    size_t Bytes() const;
+
+  private:
+    std::string _error;
+    PatchTable _patches;
+    std::vector<Vec3f> _patchPoints;
+    Bvh _bvh;
+};
+
+}  // namespace cc

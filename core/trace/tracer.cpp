@@ -1,0 +1,191 @@
+#include "core/trace/tracer.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/trace/tracer.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "core/trace/objectRays.h"
+#include "core/trace/patchIntersector-inl.h"
+#include "core/trace/traversal-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace cc {
+namespace HWY_NAMESPACE {
+
+/// Traces rays that are in world space already through all instances. Each instance sees them in
+/// its own space; what shortened there is shortened here.
+template <class Rays, bool kAnyHit>
+void TraceInstances(const InstanceBvh& instances, int level, const RayPacket& world,
+                    ObjectRays* worldRays, HitPacket* hits, TraceStatistics* statistics) {
+    Rays rays(worldRays);
+    RayPacket current = world;
+    ObjectRays local;
+    TraverseBvh(instances.TopLevel(), &rays, statistics, [&](uint32_t index, int) {
+        const Instance& instance = instances.Instances()[index];
+        TransformRays(current, instance.worldToObject, &local);
+        Rays localRays(&local);
+        PatchIntersector<Rays, kAnyHit> intersector(*instance.surface, index, level, &localRays,
+                                                    hits, statistics);
+        TraverseBvh(instance.surface->PatchBvh(), &localRays, statistics,
+                    [&](uint32_t patch, int firstRay) {
+                        intersector.Intersect(patch, firstRay);
+                        return !intersector.IsDone();
+                    });
+        for (int i = 0; i < local.count; ++i) {
+            current.tMax[i] = worldRays->tMax[i] = local.tMax[i];
+        }
+        rays.Shortened();
+        return !intersector.IsDone();
+    });
+}
+
+void IntersectPacket(const InstanceBvh& instances, int level, ObjectRays* worldRays,
+                     const RayPacket& world, HitPacket* hits, TraceStatistics* statistics) {
+    TraceInstances<PacketRays, false>(instances, level, world, worldRays, hits, statistics);
+}
+
+void OccludePacket(const InstanceBvh& instances, int level, ObjectRays* worldRays,
+                   const RayPacket& world, TraceStatistics* statistics) {
+    TraceInstances<PacketRays, true>(instances, level, world, worldRays, nullptr, statistics);
+}
+
+void IntersectSingle(const InstanceBvh& instances, int level, ObjectRays* worldRays,
+                     const RayPacket& world, HitPacket* hits, TraceStatistics* statistics) {
+    TraceInstances<SingleRay, false>(instances, level, world, worldRays, hits, statistics);
+}
+
+void OccludeSingle(const InstanceBvh& instances, int level, ObjectRays* worldRays,
+                   const RayPacket& world, TraceStatistics* statistics) {
+    TraceInstances<SingleRay, true>(instances, level, world, worldRays, nullptr, statistics);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace cc
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace cc {
+namespace {
+
+HWY_EXPORT(IntersectPacket);
+HWY_EXPORT(OccludePacket);
+HWY_EXPORT(IntersectSingle);
+HWY_EXPORT(OccludeSingle);
+
+void Clear(int count, HitPacket* hits) {
+    for (int i = 0; i < count; ++i) {
+        hits->instance[i] = hits->patch[i] = kNoHit;
+        hits->u[i] = hits->v[i] = 0;
+    }
+}
+
+/// Traces whole packets: one subdivision of a patch serves up to 64 rays.
+class PacketTracer final : public Tracer {
+  public:
+    explicit PacketTracer(int level) : _level(level) {}
+
+    void Intersect(const InstanceBvh& instances, RayPacket* rays, HitPacket* hits,
+                   TraceStatistics* statistics) const override {
+        ++statistics->packets;
+        statistics->rays += rays->count;
+        Clear(kPacketSize, hits);
+        ObjectRays world;
+        TransformRays(*rays, AffineTransform(), &world);
+        HWY_DYNAMIC_DISPATCH(IntersectPacket)
+        (instances, _level, &world, *rays, hits, statistics);
+        std::copy(world.tMax, world.tMax + rays->count, rays->tMax);
+    }
+
+    uint64_t Occluded(const InstanceBvh& instances, const RayPacket& rays,
+                      TraceStatistics* statistics) const override {
+        ++statistics->packets;
+        statistics->rays += rays.count;
+        ObjectRays world;
+        TransformRays(rays, AffineTransform(), &world);
+        HWY_DYNAMIC_DISPATCH(OccludePacket)(instances, _level, &world, rays, statistics);
+        uint64_t occluded = 0;
+        for (int i = 0; i < rays.count; ++i) {
+            const bool wasActive = rays.tMin[i] <= rays.tMax[i];
+            occluded |= uint64_t(wasActive && world.tMax[i] < world.tMin[i]) << i;
+        }
+        return occluded;
+    }
+
+  private:
+    const int _level;
+};
+
+/// Traces one ray at a time with the same kernels: what packets are measured against.
+class SingleTracer final : public Tracer {
+  public:
+    explicit SingleTracer(int level) : _level(level) {}
+
+    void Intersect(const InstanceBvh& instances, RayPacket* rays, HitPacket* hits,
+                   TraceStatistics* statistics) const override {
+        Clear(kPacketSize, hits);
+        for (int i = 0; i < rays->count; ++i) {
+            const RayPacket one = _Extract(*rays, i, statistics);
+            ObjectRays world;
+            TransformRays(one, AffineTransform(), &world);
+            HitPacket hit;
+            Clear(1, &hit);
+            HWY_DYNAMIC_DISPATCH(IntersectSingle)
+            (instances, _level, &world, one, &hit, statistics);
+            rays->tMax[i] = world.tMax[0];
+            hits->instance[i] = hit.instance[0];
+            hits->patch[i] = hit.patch[0];
+            hits->u[i] = hit.u[0];
+            hits->v[i] = hit.v[0];
+        }
+    }
+
+    uint64_t Occluded(const InstanceBvh& instances, const RayPacket& rays,
+                      TraceStatistics* statistics) const override {
+        uint64_t occluded = 0;
+        for (int i = 0; i < rays.count; ++i) {
+            if (rays.tMax[i] < rays.tMin[i]) {
+                continue;
+            }
+            const RayPacket one = _Extract(rays, i, statistics);
+            ObjectRays world;
+            TransformRays(one, AffineTransform(), &world);
+            HWY_DYNAMIC_DISPATCH(OccludeSingle)(instances, _level, &world, one, statistics);
+            occluded |= uint64_t(world.tMax[0] < world.tMin[0]) << i;
+        }
+        return occluded;
+    }
+
+  private:
+    static RayPacket _Extract(const RayPacket& rays, int i, TraceStatistics* statistics) {
+        ++statistics->packets;
+        ++statistics->rays;
+        RayPacket one;
+        one.originX[0] = rays.originX[i];
+        one.originY[0] = rays.originY[i];
+        one.originZ[0] = rays.originZ[i];
+        one.directionX[0] = rays.directionX[i];
+        one.directionY[0] = rays.directionY[i];
+        one.directionZ[0] = rays.directionZ[i];
+        one.tMin[0] = rays.tMin[i];
+        one.tMax[0] = rays.tMax[i];
+        one.count = 1;
+        return one;
+    }
+
+    const int _level;
+};
+
+}  // namespace
+
+Tracer::~Tracer() = default;
+
+std::unique_ptr<Tracer> MakeTracer(TracerKind kind, int level) {
+    if (kind == TracerKind::Single) {
+        return std::make_unique<SingleTracer>(level);
+    }
+    return std::make_unique<PacketTracer>(level);
+}
+
+}  // namespace cc
+#endif  // HWY_ONCE

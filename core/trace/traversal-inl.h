@@ -1,0 +1,114 @@
+// Per-target include guard, as Highway's foreach_target asks for.
+#if defined(CC_TRACE_TRAVERSAL_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef CC_TRACE_TRAVERSAL_INL_H
+#undef CC_TRACE_TRAVERSAL_INL_H
+#else
+#define CC_TRACE_TRAVERSAL_INL_H
+#endif
+
+#include <hwy/highway.h>
+
+#include "core/bvh/bvh.h"
+#include "core/trace/boxTests-inl.h"
+#include "core/trace/objectRays.h"
+#include "core/trace/packetInterval.h"
+#include "core/trace/traceStatistics.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace cc {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Rays that travel together: a packet, culled by intervals and by its first hit.
+struct PacketRays {
+    using Tag = hn::CappedTag<float, 16>;
+
+    explicit PacketRays(ObjectRays* rays) : rays(*rays), interval(*rays) {}
+
+    NodeHits HitChildren(const BvhNode& node) const { return NodeHitsOfPacket(node, interval); }
+    bool Culls(const Box3f& box) const { return interval.Culls(box); }
+    bool IsBeyond(float distance) const { return interval.IsValid() && distance > interval.Reach(); }
+    void Shortened() { interval.UpdateReach(rays); }
+
+    ObjectRays& rays;
+    PacketInterval interval;
+};
+
+/// One ray by itself: every box is tested exactly, nothing is shared.
+struct SingleRay {
+    using Tag = hn::CappedTag<float, 1>;
+
+    explicit SingleRay(ObjectRays* rays) : rays(*rays) {}
+
+    NodeHits HitChildren(const BvhNode& node) const { return NodeHitsOfRay(node, rays); }
+    bool Culls(const Box3f&) const { return false; }
+    bool IsBeyond(float distance) const { return distance > rays.tMax[0]; }
+    void Shortened() {}
+
+    ObjectRays& rays;
+};
+
+/// Walks a BVH depth first, nearest child first, and calls leaf(primitive, firstRay) for every
+/// primitive whose box a ray hits; firstRay is the first that does. The walk ends when leaf
+/// returns false.
+template <class Rays, class Leaf>
+HWY_INLINE void TraverseBvh(const Bvh& bvh, Rays* rays, TraceStatistics* statistics,
+                            const Leaf& leaf) {
+    struct Entry {
+        const BvhNode* node;
+        int slot;
+        int firstRay;
+        float distance;
+    };
+    // Every level leaves at most all children but one behind.
+    Entry stack[kBvhMaxDepth * (kBvhWidth - 1) + 1];
+    int size = 0;
+    const typename Rays::Tag d;
+
+    const auto pushChildren = [&](const BvhNode& node, int firstRay) {
+        ++statistics->traversals;
+        const NodeHits hits = rays->HitChildren(node);
+        const int bottom = size;
+        for (uint32_t mask = hits.mask; mask != 0; mask &= mask - 1) {
+            const int slot = __builtin_ctz(mask);
+            // Sorted by distance, the nearest on top.
+            int at = size++;
+            for (; at > bottom && stack[at - 1].distance < hits.distance[slot]; --at) {
+                stack[at] = stack[at - 1];
+            }
+            stack[at] = {&node, slot, firstRay, hits.distance[slot]};
+        }
+    };
+
+    if (bvh.IsEmpty()) {
+        return;
+    }
+    pushChildren(bvh.Nodes()[0], 0);
+    while (size > 0) {
+        const Entry entry = stack[--size];
+        if (rays->IsBeyond(entry.distance)) {
+            continue;
+        }
+        const BvhNode& node = *entry.node;
+        const int slot = entry.slot;
+        Box3f box;
+        box.lower = {node.lowerX[slot], node.lowerY[slot], node.lowerZ[slot]};
+        box.upper = {node.upperX[slot], node.upperY[slot], node.upperZ[slot]};
+        const int firstRay = FirstRayThatHits(d, rays->rays, entry.firstRay, box);
+        if (firstRay >= rays->rays.count) {
+            continue;
+        }
+        const uint32_t child = node.child[slot];
+        if ((child & kBvhLeaf) == 0) {
+            pushChildren(bvh.Nodes()[child], firstRay);
+        } else if (!leaf(child & ~kBvhLeaf, firstRay)) {
+            return;
+        }
+    }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace cc
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,122 @@
+#include "core/subdiv/controlMesh.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "core/subdiv/patchBuilder.h"
+#include "tests/unit/subdiv/testCages.h"
+
+namespace cc::test {
+namespace {
+
+TEST(ControlMesh, RefusesCountsThatDoNotAddUp) {
+    Cage cage = Cube();
+    cage.mesh.faceVertexCounts.back() = 5;
+    const ControlMeshReport report = ValidateControlMesh(&cage.mesh, cage.points.size());
+    EXPECT_FALSE(report.IsValid());
+    EXPECT_NE(report.error.find("add up to 25"), std::string::npos) << report.error;
+}
+
+TEST(ControlMesh, RefusesNegativeCounts) {
+    Cage cage = Cube();
+    cage.mesh.faceVertexCounts[2] = -4;
+    EXPECT_NE(ValidateControlMesh(&cage.mesh, cage.points.size()).error.find("face 2"),
+              std::string::npos);
+}
+
+TEST(ControlMesh, RefusesIndicesOutOfRange) {
+    for (int bad : {-1, 8, 1 << 30}) {
+        Cage cage = Cube();
+        cage.mesh.faceVertexIndices[5] = bad;
+        const std::string error = ValidateControlMesh(&cage.mesh, cage.points.size()).error;
+        EXPECT_NE(error.find("[5] is " + std::to_string(bad)), std::string::npos) << error;
+    }
+}
+
+TEST(ControlMesh, MendsHoles) {
+    Cage cage = Cube();
+    cage.mesh.holeIndices = {3, 1, 3, -1, 6};
+    const ControlMeshReport report = ValidateControlMesh(&cage.mesh, cage.points.size());
+    EXPECT_TRUE(report.IsValid());
+    EXPECT_EQ(report.warnings.size(), 1u);
+    EXPECT_EQ(cage.mesh.holeIndices, (std::vector<int>{1, 3}));
+}
+
+TEST(ControlMesh, MendsCreases) {
+    Cage cage = Cube();
+    cage.mesh.creaseIndices = {0, 1, 5, 0, 3, 99, 4};
+    cage.mesh.creaseLengths = {3, 2, 2};
+    cage.mesh.creaseSharpnesses = {25, NAN, 2};
+    const ControlMeshReport report = ValidateControlMesh(&cage.mesh, cage.points.size());
+    EXPECT_TRUE(report.IsValid());
+    EXPECT_EQ(report.warnings.size(), 2u) << "two edges that are none, one NaN";
+    EXPECT_EQ(cage.mesh.creaseIndices, (std::vector<int>{0, 1, 1, 5}));
+    EXPECT_EQ(cage.mesh.creaseSharpnesses, (std::vector<float>{10, 10}));
+}
+
+TEST(ControlMesh, TakesSharpnessesByEdge) {
+    Cage cage = Cube();
+    cage.mesh.creaseIndices = {0, 1, 5, 4};
+    cage.mesh.creaseLengths = {4};
+    cage.mesh.creaseSharpnesses = {1, 2, 3};
+    EXPECT_TRUE(ValidateControlMesh(&cage.mesh, cage.points.size()).warnings.empty());
+    EXPECT_EQ(cage.mesh.creaseSharpnesses, (std::vector<float>{1, 2, 3}));
+}
+
+TEST(ControlMesh, IgnoresCreasesThatContradictThemselves) {
+    for (int length : {1, 0, -3, 9}) {
+        Cage cage = Cube();
+        cage.mesh.creaseIndices = {0, 1, 5};
+        cage.mesh.creaseLengths = {length};
+        cage.mesh.creaseSharpnesses = {1};
+        const ControlMeshReport report = ValidateControlMesh(&cage.mesh, cage.points.size());
+        EXPECT_TRUE(report.IsValid());
+        EXPECT_EQ(report.warnings.size(), 1u);
+        EXPECT_TRUE(cage.mesh.creaseIndices.empty());
+    }
+}
+
+TEST(ControlMesh, MendsCorners) {
+    Cage cage = Cube();
+    cage.mesh.cornerIndices = {0, 8, 3};
+    cage.mesh.cornerSharpnesses = {-1, 2, 30};
+    const ControlMeshReport report = ValidateControlMesh(&cage.mesh, cage.points.size());
+    EXPECT_EQ(report.warnings.size(), 2u);
+    EXPECT_EQ(cage.mesh.cornerIndices, (std::vector<int>{3}));
+    EXPECT_EQ(cage.mesh.cornerSharpnesses, (std::vector<float>{10}));
+}
+
+TEST(PatchBuilder, SurvivesTopologyNobodyShouldWrite) {
+    struct Case {
+        std::vector<int> counts, indices;
+    };
+    const Case cases[] = {
+        {{4}, {0, 0, 0, 0}},                                // one point
+        {{4, 4}, {0, 1, 2, 2, 2, 2, 3, 4}},                 // repeated vertices
+        {{4, 4}, {0, 1, 2, 3, 0, 1, 2, 3}},                 // the same face twice
+        {{4, 4, 4}, {0, 1, 2, 3, 0, 1, 5, 4, 0, 1, 6, 7}},  // three faces on an edge
+        {{4, 4}, {0, 1, 2, 3, 0, 4, 5, 6}},                 // a bow tie
+        {{4, 4}, {0, 1, 2, 3, 0, 1, 5, 4}},                 // neighbours that disagree
+        {{2, 1, 0, 4}, {0, 1, 0, 0, 1, 2, 3}},              // faces without an inside
+        {{3, 3}, {0, 1, 2, 2, 1, 0}},                       // two sides of one triangle
+        {{4, 4}, {0, 1, 2, 3, 3, 2, 1, 0}},                 // two sides of one quad
+        {{5}, {0, 1, 2, 1, 3}},                             // a face that touches itself
+        {{}, {}},
+    };
+    for (const Case& c : cases) {
+        ControlMesh mesh;
+        mesh.faceVertexCounts = c.counts;
+        mesh.faceVertexIndices = c.indices;
+        ASSERT_TRUE(ValidateControlMesh(&mesh, 8).IsValid());
+        std::string error;
+        const PatchTable patches = BuildPatchTable(mesh, 8, &error);
+        const std::vector<Vec3f> points = patches.PatchPoints(Cube().points);
+        for (const Vec3f& p : points) {
+            EXPECT_TRUE(IsFinite(p));
+        }
+    }
+}
+
+}  // namespace
+}  // namespace cc::test

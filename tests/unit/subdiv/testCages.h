@@ -1,0 +1,38 @@
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "core/subdiv/controlMesh.h"
+
+namespace cc::test {
+
+/// A control cage with its points and a name for failure messages.
+struct Cage {
+    std::string name;
+    ControlMesh mesh;
+    std::vector<Vec3f> points;
+};
+
+Cage Cube();
+/// n x n quads in the xy plane with bumps, open on all sides.
+Cage Sheet(int n);
+/// A torus of quads: regular everywhere.
+Cage Torus(int around, int across);
+Cage Tetrahedron();
+/// A fan of quads around one vertex of the given valence, then one more ring of quads.
+Cage Fan(int valence);
+/// A drum whose lids are n-gons.
+Cage Drum(int sides);
+
+/// How GoogleTest shows a cage, and names a test of one.
+void PrintTo(const Cage& cage, std::ostream* out);
+std::string TestName(const testing::TestParamInfo<Cage>& info);
+
+/// All of the above and variants with creases, corners, darts, holes and boundary rules.
+std::vector<Cage> Catalogue();
+
+}  // namespace cc::test

@@ -1,0 +1,221 @@
+#include "core/trace/tracer.h"
+
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "core/subdiv/limitPoint.h"
+#include "tests/unit/subdiv/testCages.h"
+
+namespace cc::test {
+namespace {
+
+/// A cage's surface, alone in a world, with a transform.
+struct TracedCage {
+    explicit TracedCage(Cage cage, const AffineTransform& objectToWorld = AffineTransform()) {
+        ValidateControlMesh(&cage.mesh, cage.points.size());
+        surface = std::make_unique<Surface>(cage.mesh, cage.points);
+        Instance instance;
+        instance.surface = surface.get();
+        instance.objectToWorld = objectToWorld;
+        objectToWorld.Invert(&instance.worldToObject);
+        world = InstanceBvh({instance});
+    }
+
+    std::unique_ptr<Surface> surface;
+    InstanceBvh world;
+};
+
+/// Rays of a small pinhole camera that looks at the middle of a box from outside, 8 x 8.
+RayPacket CameraPacket(const Box3f& box, const Vec3f& from, float width, std::mt19937* random) {
+    std::uniform_real_distribution<float> unit(-0.5f, 0.5f);
+    const Vec3f eye = box.Center() + from * box.Diagonal();
+    const Vec3f target{box.Center().x + unit(*random) * box.Size().x,
+                       box.Center().y + unit(*random) * box.Size().y,
+                       box.Center().z + unit(*random) * box.Size().z};
+    const Vec3f forward = Normalize(target - eye);
+    const Vec3f side = Normalize(Cross(forward, {0.3f, 0.8f, 0.5f}));
+    const Vec3f up = Cross(side, forward);
+    RayPacket rays;
+    rays.count = kPacketSize;
+    for (int i = 0; i < kPacketSize; ++i) {
+        const float x = width * ((i % 8) / 7.0f - 0.5f), y = width * ((i / 8) / 7.0f - 0.5f);
+        const Vec3f d = forward + side * x + up * y;
+        rays.originX[i] = eye.x;
+        rays.originY[i] = eye.y;
+        rays.originZ[i] = eye.z;
+        rays.directionX[i] = d.x;
+        rays.directionY[i] = d.y;
+        rays.directionZ[i] = d.z;
+        rays.tMin[i] = 0;
+        rays.tMax[i] = 1e30f;
+    }
+    return rays;
+}
+
+Vec3f PointOf(const RayPacket& rays, int i) {
+    const float t = rays.tMax[i];
+    return {rays.originX[i] + t * rays.directionX[i], rays.originY[i] + t * rays.directionY[i],
+            rays.originZ[i] + t * rays.directionZ[i]};
+}
+
+class TracerTest : public testing::TestWithParam<Cage> {};
+
+TEST_P(TracerTest, HitsLieOnTheLimitSurface) {
+    const TracedCage traced(GetParam());
+    const Surface& surface = *traced.surface;
+    const std::unique_ptr<Tracer> tracer = MakeTracer(TracerKind::Packet, 6);
+    std::mt19937 random(3);
+    TraceStatistics statistics;
+    int hitCount = 0;
+    const Vec3f directions[] = {{1, 0.2f, 0.3f}, {-0.4f, 1, 0.1f}, {0.2f, -0.3f, 1},
+                                {0.1f, 0.2f, -1}, {-0.7f, -0.6f, 0.5f}};
+    for (const Vec3f& from : directions) {
+        for (int n = 0; n < 10; ++n) {
+            RayPacket rays = CameraPacket(surface.Bounds(), from, 0.2f, &random);
+            HitPacket hits;
+            tracer->Intersect(traced.world, &rays, &hits, &statistics);
+            for (int i = 0; i < rays.count; ++i) {
+                if (hits.instance[i] == kNoHit) {
+                    continue;
+                }
+                ++hitCount;
+                const LimitPoint limit = EvaluateLimit(
+                    surface.Patches(), hits.patch[i], surface.PatchPoints().data(), hits.u[i],
+                    hits.v[i]);
+                // Quads of level 6 are within a few 4^-6 of the surface, but those around a vertex
+                // of high valence shrink slower.
+                const float tolerance =
+                    surface.Patches().At(hits.patch[i]).valence > 6 ? 5e-3f : 1e-3f;
+                EXPECT_LT(Length(limit.position - PointOf(rays, i)),
+                          tolerance * surface.Bounds().Diagonal());
+            }
+        }
+    }
+    EXPECT_GT(hitCount, 500);
+}
+
+TEST_P(TracerTest, SingleRaysAgreeWithPackets) {
+    const TracedCage traced(GetParam());
+    const std::unique_ptr<Tracer> packet = MakeTracer(TracerKind::Packet, 4);
+    const std::unique_ptr<Tracer> single = MakeTracer(TracerKind::Single, 4);
+    std::mt19937 random(5);
+    TraceStatistics statistics;
+    for (int n = 0; n < 40; ++n) {
+        RayPacket rays =
+            CameraPacket(traced.surface->Bounds(), {0.9f, -0.5f, 0.7f}, 0.3f, &random);
+        rays.count = n % 3 == 0 ? 37 : kPacketSize;
+        RayPacket again = rays;
+        HitPacket hits, hitsAgain;
+        const uint64_t occluded = packet->Occluded(traced.world, rays, &statistics);
+        EXPECT_EQ(occluded, single->Occluded(traced.world, rays, &statistics));
+        packet->Intersect(traced.world, &rays, &hits, &statistics);
+        single->Intersect(traced.world, &again, &hitsAgain, &statistics);
+        for (int i = 0; i < rays.count; ++i) {
+            EXPECT_EQ(hits.instance[i], hitsAgain.instance[i]);
+            EXPECT_EQ((occluded >> i & 1) != 0, hits.instance[i] != kNoHit);
+            EXPECT_EQ(rays.tMax[i], again.tMax[i]);
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Catalogue, TracerTest, testing::ValuesIn(Catalogue()), TestName);
+
+TEST(Tracer, NothingEscapesAClosedMesh) {
+    for (const Cage& cage : {Torus(8, 6), Cube(), Drum(5), Tetrahedron()}) {
+        const TracedCage traced(cage);
+        // A point just inside the surface of the first patch.
+        const Surface& surface = *traced.surface;
+        const LimitPoint start =
+            EvaluateLimit(surface.Patches(), 0, surface.PatchPoints().data(), 0.5f, 0.5f);
+        const Vec3f inside = start.position - start.normal * (0.05f * surface.Bounds().Diagonal());
+        std::mt19937 random(11);
+        std::normal_distribution<float> normal;
+        TraceStatistics statistics;
+        for (int level : {1, 3, 4}) {
+            const std::unique_ptr<Tracer> tracer = MakeTracer(TracerKind::Packet, level);
+            for (int n = 0; n < 50; ++n) {
+                RayPacket rays;
+                rays.count = kPacketSize;
+                for (int i = 0; i < kPacketSize; ++i) {
+                    rays.originX[i] = inside.x;
+                    rays.originY[i] = inside.y;
+                    rays.originZ[i] = inside.z;
+                    rays.directionX[i] = normal(random);
+                    rays.directionY[i] = normal(random);
+                    rays.directionZ[i] = normal(random);
+                    rays.tMin[i] = 0;
+                    rays.tMax[i] = 1e30f;
+                }
+                EXPECT_EQ(tracer->Occluded(traced.world, rays, &statistics), ~uint64_t(0))
+                    << cage.name << " level " << level;
+            }
+        }
+    }
+}
+
+TEST(Tracer, HolesAreNeverHit) {
+    Cage cage = Sheet(3);
+    cage.mesh.holeIndices = {4};
+    const TracedCage withHole(cage);
+    const TracedCage whole(Sheet(3));
+    TraceStatistics statistics;
+    RayPacket rays;
+    rays.count = kPacketSize;
+    for (int i = 0; i < kPacketSize; ++i) {
+        rays.originX[i] = 0.5f + 2.0f * (i % 8) / 7;
+        rays.originY[i] = 0.5f + 2.0f * (i / 8) / 7;
+        rays.originZ[i] = 5;
+        rays.directionX[i] = rays.directionY[i] = 0;
+        rays.directionZ[i] = -1;
+        rays.tMin[i] = 0;
+        rays.tMax[i] = 100;
+    }
+    RayPacket again = rays;
+    HitPacket hits, wholeHits;
+    const std::unique_ptr<Tracer> tracer = MakeTracer(TracerKind::Packet, 4);
+    tracer->Intersect(withHole.world, &rays, &hits, &statistics);
+    tracer->Intersect(whole.world, &again, &wholeHits, &statistics);
+    int inHole = 0;
+    for (int i = 0; i < kPacketSize; ++i) {
+        ASSERT_NE(wholeHits.instance[i], kNoHit);
+        const uint32_t face = whole.surface->Patches().AuthoredFace(wholeHits.patch[i]);
+        if (face == 4) {
+            ++inHole;
+            EXPECT_EQ(hits.instance[i], kNoHit);
+        } else {
+            EXPECT_EQ(rays.tMax[i], again.tMax[i]) << "the neighbours keep their shape";
+        }
+    }
+    EXPECT_GT(inHole, 4);
+}
+
+TEST(Tracer, DistancesAreThoseOfTheWorld) {
+    // Stretched, mirrored and moved far away.
+    const AffineTransform place(
+        {{{-2, 0, 0, 1000}, {0, 0.5, 0, -500}, {0, 0, 3, 20}}});
+    const TracedCage traced(Cube(), place);
+    RayPacket rays;
+    rays.count = 1;
+    rays.originX[0] = 1000;
+    rays.originY[0] = -500;
+    rays.originZ[0] = 120;
+    rays.directionX[0] = rays.directionY[0] = 0;
+    rays.directionZ[0] = -2;
+    rays.tMin[0] = 0;
+    rays.tMax[0] = 1000;
+    HitPacket hits;
+    TraceStatistics statistics;
+    MakeTracer(TracerKind::Packet, 4)->Intersect(traced.world, &rays, &hits, &statistics);
+    ASSERT_EQ(hits.instance[0], 0u);
+    // The middle of the face, by the limit rules.
+    const LimitPoint middle = EvaluateLimit(
+        traced.surface->Patches(), hits.patch[0], traced.surface->PatchPoints().data(), hits.u[0],
+        hits.v[0]);
+    EXPECT_NEAR(120 - 2 * rays.tMax[0], place.Point(middle.position).z, 1e-2f);
+    EXPECT_NEAR(place.Point(middle.position).x, 1000, 1e-2f);
+}
+
+}  // namespace
+}  // namespace cc::test
