@@ -72,11 +72,10 @@ bool HdCCToControlMesh(HdMeshTopology const &topology, PxOsdSubdivTags const &ta
         return false;
     }
     mesh->boundaryRule = _ToBoundaryRule(tags.GetVertexInterpolationRule());
-    mesh->creaseRule = tags.GetCreaseMethod() == "chaikin" ? cc::CreaseRule::Chaikin
-                                                           : cc::CreaseRule::Uniform;
-    mesh->triangleRule = tags.GetTriangleSubdivision() == "smooth"
-                             ? cc::TriangleRule::Smooth
-                             : cc::TriangleRule::CatmullClark;
+    mesh->creaseRule =
+        tags.GetCreaseMethod() == "chaikin" ? cc::CreaseRule::Chaikin : cc::CreaseRule::Uniform;
+    mesh->triangleRule = tags.GetTriangleSubdivision() == "smooth" ? cc::TriangleRule::Smooth
+                                                                   : cc::TriangleRule::CatmullClark;
     mesh->leftHanded = topology.GetOrientation() == "leftHanded";
 
     mesh->faceVertexCounts = _ToVector(topology.GetFaceVertexCounts());

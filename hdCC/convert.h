@@ -22,9 +22,7 @@ PXR_NAMESPACE_OPEN_SCOPE
 /// @name Between USD's types and core's
 /// @{
 
-inline cc::Vec3f HdCCToVec3f(GfVec3f const &v) {
-    return {v[0], v[1], v[2]};
-}
+inline cc::Vec3f HdCCToVec3f(GfVec3f const &v) { return {v[0], v[1], v[2]}; }
 
 /// The affine part of a matrix that is applied to row vectors.
 cc::AffineTransform HdCCToTransform(GfMatrix4d const &m);

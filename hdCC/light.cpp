@@ -14,9 +14,7 @@ PXR_NAMESPACE_OPEN_SCOPE
 
 HdCCLight::HdCCLight(TfToken const &type, SdfPath const &id) : HdLight(id), _type(type) {}
 
-HdDirtyBits HdCCLight::GetInitialDirtyBitsMask() const {
-    return AllDirty;
-}
+HdDirtyBits HdCCLight::GetInitialDirtyBitsMask() const { return AllDirty; }
 
 template <class T>
 static T _Parameter(HdSceneDelegate *delegate, SdfPath const &id, char const *name, T fallback) {
@@ -63,12 +61,13 @@ cc::Light HdCCLight::_MakeLight(HdSceneDelegate *delegate) const {
     light.power = light.kind == cc::Light::Kind::Sphere ? cc::SphereLightPower(units)
                                                         : cc::DistantLightPower(units);
 
-    const bool isPlaced = light.kind == cc::Light::Kind::Sphere
-                              ? cc::IsFinite(light.position)
-                              : cc::Length(light.direction) > 0;
+    const bool isPlaced = light.kind == cc::Light::Kind::Sphere ? cc::IsFinite(light.position)
+                                                                : cc::Length(light.direction) > 0;
     if (!isPlaced || !cc::IsUsableLightPower(light.power)) {
-        TF_WARN("<%s>: the light's parameters or transform make no finite, non-negative power; "
-                "it is ignored", id.GetText());
+        TF_WARN(
+            "<%s>: the light's parameters or transform make no finite, non-negative power; "
+            "it is ignored",
+            id.GetText());
         light.power = {0, 0, 0};
         light.position = {0, 0, 0};
         light.direction = {0, 0, -1};

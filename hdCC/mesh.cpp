@@ -90,8 +90,8 @@ static VtValue _ComputedPoints(HdSceneDelegate *delegate, SdfPath const &id) {
         delegate->GetExtComputationPrimvarDescriptors(id, HdInterpolationVertex);
     for (HdExtComputationPrimvarDescriptor const &primvar : primvars) {
         if (primvar.name == _tokens->points) {
-            return HdExtComputationUtils::GetComputedPrimvarValues({primvar}, delegate)[
-                _tokens->points];
+            return HdExtComputationUtils::GetComputedPrimvarValues({primvar},
+                                                                   delegate)[_tokens->points];
         }
     }
     return VtValue();
@@ -158,17 +158,16 @@ void HdCCMesh::_SyncDisplayColor(HdSceneDelegate *delegate) {
 
 void HdCCMesh::_SyncSides(HdSceneDelegate *delegate) {
     const HdCullStyle style = delegate->GetCullStyle(GetId());
-    _mesh->SetCullBackFaces(style == HdCullStyleBack ||
-                            (style == HdCullStyleBackUnlessDoubleSided &&
-                             !delegate->GetDoubleSided(GetId())));
+    _mesh->SetCullBackFaces(
+        style == HdCullStyleBack ||
+        (style == HdCullStyleBackUnlessDoubleSided && !delegate->GetDoubleSided(GetId())));
     if (style == HdCullStyleFront || style == HdCullStyleFrontUnlessDoubleSided) {
         TF_WARN("<%s>: culling front faces is not supported; both sides are shown",
                 GetId().GetText());
     }
 }
 
-void HdCCMesh::_SyncShown(HdSceneDelegate *delegate, HdRenderParam *param,
-                          HdDirtyBits *dirtyBits) {
+void HdCCMesh::_SyncShown(HdSceneDelegate *delegate, HdRenderParam *param, HdDirtyBits *dirtyBits) {
     _UpdateVisibility(delegate, dirtyBits);
     _UpdateInstancer(delegate, dirtyBits);
     HdInstancer::_SyncInstancerAndParents(delegate->GetRenderIndex(), GetInstancerId());

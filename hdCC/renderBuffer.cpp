@@ -155,8 +155,7 @@ void *HdCCRenderBuffer::Map() {
     return _pixels.data();
 }
 
-static void _StoreTexel(HdFormat componentFormat, int count, uint8_t *pixel,
-                        _Texel const &texel) {
+static void _StoreTexel(HdFormat componentFormat, int count, uint8_t *pixel, _Texel const &texel) {
     for (int i = 0; i < count; ++i) {
         _StoreComponent(componentFormat, pixel, i, texel[i]);
     }

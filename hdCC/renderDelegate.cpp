@@ -42,8 +42,8 @@ TfTokenVector const &HdCCRenderDelegate::GetSupportedRprimTypes() const {
 TfTokenVector const &HdCCRenderDelegate::GetSupportedSprimTypes() const {
     // Without simpleLight: applications then give their camera light as a distantLight.
     static const TfTokenVector types =
-        _Tokens({"camera", "material", "extComputation", "distantLight", "sphereLight",
-                 "domeLight", "rectLight", "diskLight", "cylinderLight"});
+        _Tokens({"camera", "material", "extComputation", "distantLight", "sphereLight", "domeLight",
+                 "rectLight", "diskLight", "cylinderLight"});
     return types;
 }
 
@@ -58,9 +58,7 @@ HdRenderSettingDescriptorList HdCCRenderDelegate::GetRenderSettingDescriptors() 
     return HdCCRenderSettingDescriptors();
 }
 
-TfTokenVector HdCCRenderDelegate::GetRenderSettingsNamespaces() const {
-    return _Tokens({"hdcc"});
-}
+TfTokenVector HdCCRenderDelegate::GetRenderSettingsNamespaces() const { return _Tokens({"hdcc"}); }
 
 void HdCCRenderDelegate::SetRenderSetting(TfToken const &key, VtValue const &value) {
     if (!HdCCIsRenderSetting(key)) {
@@ -82,8 +80,8 @@ void HdCCRenderDelegate::SetSceneSettings(SdfPath const &prim, VtDictionary cons
 }
 
 void HdCCRenderDelegate::HeedSceneSettings(SdfPath const &prim) {
-    const VtDictionary settings = _sceneSettings.count(prim) ? _sceneSettings[prim]
-                                                             : VtDictionary();
+    const VtDictionary settings =
+        _sceneSettings.count(prim) ? _sceneSettings[prim] : VtDictionary();
     if (settings == _heededSettings) {
         return;
     }
@@ -131,9 +129,9 @@ HdCommandDescriptors HdCCRenderDelegate::GetCommandDescriptors() const {
 }
 
 bool HdCCRenderDelegate::InvokeCommand(TfToken const &command, HdCommandArgs const &args) {
-    const std::string error =
-        command == "write" ? HdCCWriteFrame(_param.GetFrame().get(), args)
-                           : "there is no renderer command " + command.GetString();
+    const std::string error = command == "write"
+                                  ? HdCCWriteFrame(_param.GetFrame().get(), args)
+                                  : "there is no renderer command " + command.GetString();
     if (!error.empty()) {
         TF_RUNTIME_ERROR("%s", error.c_str());
     }
@@ -154,8 +152,7 @@ HdAovDescriptor HdCCRenderDelegate::GetDefaultAovDescriptor(TfToken const &name)
         case cc::Aov::InstanceId:
         case cc::Aov::ElementId: return HdAovDescriptor(HdFormatInt32, false, VtValue(-1));
         case cc::Aov::Normal:
-        case cc::Aov::Neye:
-            return HdAovDescriptor(HdFormatFloat32Vec3, false, VtValue(GfVec3f(0)));
+        case cc::Aov::Neye: return HdAovDescriptor(HdFormatFloat32Vec3, false, VtValue(GfVec3f(0)));
     }
     return HdAovDescriptor();
 }
@@ -172,17 +169,13 @@ HdInstancer *HdCCRenderDelegate::CreateInstancer(HdSceneDelegate *delegate, SdfP
     return new HdCCInstancer(delegate, id);
 }
 
-void HdCCRenderDelegate::DestroyInstancer(HdInstancer *instancer) {
-    delete instancer;
-}
+void HdCCRenderDelegate::DestroyInstancer(HdInstancer *instancer) { delete instancer; }
 
 HdRprim *HdCCRenderDelegate::CreateRprim(TfToken const &type, SdfPath const &id) {
     return type == "mesh" ? new HdCCMesh(id, _param.GetScene()) : nullptr;
 }
 
-void HdCCRenderDelegate::DestroyRprim(HdRprim *prim) {
-    delete prim;
-}
+void HdCCRenderDelegate::DestroyRprim(HdRprim *prim) { delete prim; }
 
 HdSprim *HdCCRenderDelegate::CreateSprim(TfToken const &type, SdfPath const &id) {
     if (type == "camera") {
@@ -201,9 +194,7 @@ HdSprim *HdCCRenderDelegate::CreateFallbackSprim(TfToken const &type) {
     return CreateSprim(type, SdfPath());
 }
 
-void HdCCRenderDelegate::DestroySprim(HdSprim *prim) {
-    delete prim;
-}
+void HdCCRenderDelegate::DestroySprim(HdSprim *prim) { delete prim; }
 
 HdBprim *HdCCRenderDelegate::CreateBprim(TfToken const &type, SdfPath const &id) {
     if (type == "renderSettings") {
@@ -216,8 +207,6 @@ HdBprim *HdCCRenderDelegate::CreateFallbackBprim(TfToken const &type) {
     return CreateBprim(type, SdfPath());
 }
 
-void HdCCRenderDelegate::DestroyBprim(HdBprim *prim) {
-    delete prim;
-}
+void HdCCRenderDelegate::DestroyBprim(HdBprim *prim) { delete prim; }
 
 PXR_NAMESPACE_CLOSE_SCOPE

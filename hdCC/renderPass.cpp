@@ -28,9 +28,9 @@ bool HdCCRenderPass::_Target::operator==(_Target const &b) const {
 
 bool HdCCRenderPass::_Picture::operator==(_Picture const &b) const {
     return sceneVersion == b.sceneVersion && settingsVersion == b.settingsVersion &&
-           renderTags == b.renderTags && cameraId == b.cameraId &&
-           worldToView == b.worldToView && projection == b.projection &&
-           clippingRange == b.clippingRange && window == b.window && targets == b.targets;
+           renderTags == b.renderTags && cameraId == b.cameraId && worldToView == b.worldToView &&
+           projection == b.projection && clippingRange == b.clippingRange && window == b.window &&
+           targets == b.targets;
 }
 
 void HdCCRenderPass::_Execute(HdRenderPassStateSharedPtr const &state,
@@ -89,8 +89,8 @@ HdCCRenderPass::_Picture HdCCRenderPass::_Describe(HdRenderPassStateSharedPtr co
                 {binding.aovName, buffer, buffer->GetVersion(), binding.clearValue});
         }
     }
-    picture.window = _Window(
-        *state, picture.targets.empty() ? 0 : int(picture.targets[0].buffer->GetHeight()));
+    picture.window =
+        _Window(*state, picture.targets.empty() ? 0 : int(picture.targets[0].buffer->GetHeight()));
     if (HdCamera const *camera = state->GetCamera()) {
         picture.cameraId = camera->GetId();
         picture.worldToView = state->GetWorldToViewMatrix();
@@ -163,8 +163,10 @@ bool HdCCRenderPass::_Render() {
     }
     cc::Camera camera;
     if (!_MakeCamera(visible, &camera)) {
-        TF_WARN("<%s>: there is no camera, or its transform, aperture or clipping range is "
-                "singular; the picture is empty", _picture.cameraId.GetText());
+        TF_WARN(
+            "<%s>: there is no camera, or its transform, aperture or clipping range is "
+            "singular; the picture is empty",
+            _picture.cameraId.GetText());
         return false;
     }
 

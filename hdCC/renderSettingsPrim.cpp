@@ -13,9 +13,7 @@ TF_DEFINE_PRIVATE_TOKENS(_tokens, (namespacedSettings));
 HdCCRenderSettingsPrim::HdCCRenderSettingsPrim(SdfPath const &id, HdCCRenderDelegate *delegate)
     : HdBprim(id), _delegate(delegate) {}
 
-HdDirtyBits HdCCRenderSettingsPrim::GetInitialDirtyBitsMask() const {
-    return ~HdDirtyBits(0);
-}
+HdDirtyBits HdCCRenderSettingsPrim::GetInitialDirtyBitsMask() const { return ~HdDirtyBits(0); }
 
 void HdCCRenderSettingsPrim::Sync(HdSceneDelegate *delegate, HdRenderParam *,
                                   HdDirtyBits *dirtyBits) {

@@ -13,9 +13,7 @@
 
 PXR_NAMESPACE_OPEN_SCOPE
 
-static double _Ratio(double a, double b) {
-    return b > 0 ? a / b : 0.0;
-}
+static double _Ratio(double a, double b) { return b > 0 ? a / b : 0.0; }
 
 static VtDictionary _RayRates(cc::RenderStatistics const &statistics, int threads) {
     // Seconds are added up over threads; a rate is what all of them do together.

@@ -8,9 +8,7 @@
 
 PXR_NAMESPACE_OPEN_SCOPE
 
-TF_REGISTRY_FUNCTION(TfType) {
-    HdRendererPluginRegistry::Define<HdCCRendererPlugin>();
-}
+TF_REGISTRY_FUNCTION(TfType) { HdRendererPluginRegistry::Define<HdCCRendererPlugin>(); }
 
 HdRenderDelegate *HdCCRendererPlugin::CreateRenderDelegate() {
     return new HdCCRenderDelegate(HdRenderSettingsMap());
@@ -20,18 +18,14 @@ HdRenderDelegate *HdCCRendererPlugin::CreateRenderDelegate(HdRenderSettingsMap c
     return new HdCCRenderDelegate(settings);
 }
 
-void HdCCRendererPlugin::DeleteRenderDelegate(HdRenderDelegate *delegate) {
-    delete delegate;
-}
+void HdCCRendererPlugin::DeleteRenderDelegate(HdRenderDelegate *delegate) { delete delegate; }
 
 #if HD_API_VERSION >= 83
 bool HdCCRendererPlugin::IsSupported(HdRendererCreateArgs const &, std::string *) const {
     return true;
 }
 #else
-bool HdCCRendererPlugin::IsSupported(bool) const {
-    return true;
-}
+bool HdCCRendererPlugin::IsSupported(bool) const { return true; }
 #endif
 
 PXR_NAMESPACE_CLOSE_SCOPE

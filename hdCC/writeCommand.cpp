@@ -55,13 +55,14 @@ static std::string _MakePlanes(cc::Film const &film, std::string const &names,
     }
     for (cc::Aov aov : aovs) {
         if (!film.Has(aov)) {
-            return TfStringPrintf("the AOV '%s' is not in the last frame; name it in hdcc:aovs "
-                                  "before rendering", cc::NameOf(aov));
+            return TfStringPrintf(
+                "the AOV '%s' is not in the last frame; name it in hdcc:aovs "
+                "before rendering",
+                cc::NameOf(aov));
         }
         const cc::AovLayout layout = cc::LayoutOf(aov);
-        const void *const pixels = layout.isInteger
-                                       ? static_cast<const void *>(film.Ints(aov))
-                                       : static_cast<const void *>(film.Floats(aov));
+        const void *const pixels = layout.isInteger ? static_cast<const void *>(film.Ints(aov))
+                                                    : static_cast<const void *>(film.Floats(aov));
         planes->push_back({cc::NameOf(aov), layout.components, layout.isInteger, pixels});
     }
     return std::string();
@@ -73,12 +74,13 @@ static std::string _Convert(cc::Film const &film, HdCommandArgs const &args,
     cc::ColorCorrection mode;
     const std::string name = _Text(args, "colorCorrection");
     if (!_ToColorCorrection(name, &mode)) {
-        return TfStringPrintf("colorCorrection cannot be '%s'; allowed: disabled, sRGB, "
-                              "openColorIO", name.c_str());
+        return TfStringPrintf(
+            "colorCorrection cannot be '%s'; allowed: disabled, sRGB, "
+            "openColorIO",
+            name.c_str());
     }
-    const auto color = std::find_if(planes->begin(), planes->end(), [](cc::ImagePlane const &p) {
-        return p.name == "color";
-    });
+    const auto color = std::find_if(planes->begin(), planes->end(),
+                                    [](cc::ImagePlane const &p) { return p.name == "color"; });
     if (color == planes->end()) {
         return std::string();
     }
