@@ -1,0 +1,76 @@
+"""Every scene of usd_scenes against its baseline, and both tracers against each other."""
+
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+from compare import differences
+from picture_kit import layers
+
+ROOT = Path(__file__).resolve().parents[2]
+BASELINES = Path(__file__).parent / "baselines"
+#: Pictures that differ from their baselines are kept here.
+MADE = ROOT / "build" / "images"
+
+SCENES = sorted((ROOT / "usd_scenes").glob("*.usda"))
+AOVS = ("primId", "instanceId", "elementId", "cameraDepth")
+OPTIONS = ("--imageWidth", "160", "--set", "hdcc:samples=8", "--set", "hdcc:level=4")
+#: Options of scenes that need others; the last one given holds.
+MORE_OPTIONS: dict[str, tuple[str, ...]] = {"hero": ("--imageWidth", "240")}
+MOST_BYTES = 200_000
+
+
+def _render(scene: Path, picture: Path, *more: str) -> str:
+    """Renders a scene as its baseline is rendered. Returns the warnings."""
+    command = [str(ROOT / "tools" / "record"), str(scene), str(picture), "--quiet", *OPTIONS]
+    command += MORE_OPTIONS.get(scene.stem, ())
+    for name in AOVS:
+        command += ["--aov", name]
+    finished = subprocess.run(
+        [*command, *more], text=True, capture_output=True, timeout=300, check=False
+    )
+    assert finished.returncode == 0, finished.stderr
+    return finished.stderr
+
+
+def test_there_are_scenes() -> None:
+    assert SCENES
+
+
+@pytest.mark.parametrize("scene", SCENES, ids=lambda scene: scene.stem)
+def test_baseline(scene: Path, update_baselines: bool) -> None:
+    baseline = BASELINES / f"{scene.stem}.exr"
+    if update_baselines:
+        _render(scene, baseline)
+        return
+    assert baseline.is_file(), "no baseline; tools/test --update-baselines makes it: look at it"
+    MADE.mkdir(parents=True, exist_ok=True)
+    made = MADE / baseline.name
+    _render(scene, made)
+    found = differences(layers(made), layers(baseline))
+    assert not found, "\n".join([*found, f"see {made} and {baseline}"])
+
+
+@pytest.mark.parametrize("scene", SCENES, ids=lambda scene: scene.stem)
+def test_tracers_agree(scene: Path, tmp_path: Path, update_baselines: bool) -> None:
+    """`packet` and `single` hit the same surface, but for a rounding error at a silhouette."""
+    if update_baselines:
+        pytest.skip("makes no baseline")
+    pictures = []
+    for tracer in ("packet", "single"):
+        picture = tmp_path / f"{tracer}.exr"
+        _render(scene, picture, "--set", f"hdcc:tracer={tracer}", "--set", "hdcc:samples=1")
+        pictures.append(layers(picture))
+    packet, single = pictures
+    for name in ("primId", "instanceId", "elementId"):
+        assert np.mean(packet[name] != single[name]) <= 0.0005, name
+    same = packet["elementId"] == single["elementId"]
+    assert np.allclose(packet["cameraDepth"][same], single["cameraDepth"][same], rtol=1e-4)
+
+
+def test_baselines_belong_to_scenes_and_are_small() -> None:
+    stems = {scene.stem for scene in SCENES}
+    for baseline in BASELINES.iterdir():
+        assert baseline.stem in stems, f"{baseline.name} has no scene"
+        assert baseline.stat().st_size < MOST_BYTES, f"{baseline.name} is too large"
