@@ -1,0 +1,71 @@
+"""Scenes and their generators, under plain usd-core: no part of the renderer is involved."""
+
+import json
+import os
+import subprocess
+from pathlib import Path
+
+import pytest
+from _lib import bench_scenes, sdk
+
+ROOT = Path(__file__).resolve().parents[2]
+INSPECT = Path(__file__).with_name("inspect_stage.py")
+SCENES = sorted((ROOT / "usd_scenes").glob("*.usda"))
+#: Generators are those files that can be run.
+GENERATORS = sorted(
+    path
+    for path in (ROOT / "usd_scenes" / "generators").glob("*.py")
+    if "__main__" in path.read_text()
+)
+#: Scenes with something wrong in them on purpose.
+BROKEN = {path.name for path in SCENES if path.stem.startswith(("bad", "broken"))}
+
+
+def _run(*arguments: object) -> str:
+    environment = {key: value for key, value in os.environ.items() if key != "PYTHONPATH"}
+    finished = subprocess.run(
+        [str(sdk.locate().usd_core_python), *map(str, arguments)],
+        text=True,
+        capture_output=True,
+        env=environment,
+        timeout=600,
+        check=False,
+    )
+    assert finished.returncode == 0, finished.stderr
+    return finished.stdout
+
+
+def _inspect(file: Path) -> dict:
+    return json.loads(_run(INSPECT, file))
+
+
+def test_there_are_scenes_and_generators() -> None:
+    assert SCENES
+    assert GENERATORS
+
+
+@pytest.mark.parametrize("scene", SCENES, ids=lambda path: path.stem)
+def test_scene(scene: Path) -> None:
+    found = _inspect(scene)
+    assert found["default_prim"]
+    assert found["cameras"] >= 1
+    assert found["meshes"] >= 1
+    assert scene.name in BROKEN or not found["problems"], "\n".join(found["problems"])
+
+
+@pytest.mark.parametrize("generator", GENERATORS, ids=lambda path: path.stem)
+def test_generator(generator: Path, tmp_path: Path) -> None:
+    out = tmp_path / f"{generator.stem}.usda"
+    _run(generator, out)
+    found = _inspect(out)
+    assert found["cameras"] >= 1
+    assert found["faces"] > 0
+    assert not found["problems"], "\n".join(found["problems"][:10])
+    kept = ROOT / "usd_scenes" / out.name
+    if kept.is_file():
+        assert out.read_text() == kept.read_text(), f"{kept.name} is not what its generator makes"
+
+
+@pytest.mark.parametrize("script", bench_scenes.GENERATED.values())
+def test_bench_knows_its_generators(script: str) -> None:
+    assert script in {path.name for path in GENERATORS}
