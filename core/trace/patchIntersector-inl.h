@@ -103,7 +103,7 @@ class PatchIntersector {
             for (const Vec3f& p : extraordinary.Points()) {
                 box.Extend(p);
             }
-            firstRay = _FirstRay(box, firstRay);
+            firstRay = _FirstRay(_Widened(box), firstRay);
             if (firstRay >= _rays.rays.count) {
                 return;
             }
@@ -119,16 +119,24 @@ class PatchIntersector {
         }
         Vec3f corners[4];
         extraordinary.LimitCorners(corners);
-        _IntersectQuad(corners, 0, 0, size, firstRay);
+        Box3f box;
+        for (const Vec3f& corner : corners) {
+            box.Extend(corner);
+        }
+        _IntersectQuad(corners, _Widened(box), 0, 0, size, firstRay);
     }
 
-    /// The first ray that hits a box, or the packet's count: culling by interval first.
-    int _FirstRay(Box3f box, int firstRay) {
-        ++_statistics.boxTests;
+    Box3f _Widened(Box3f box) const {
         for (int axis = 0; axis < 3; ++axis) {
             box.lower[axis] -= _tolerance;
             box.upper[axis] += _tolerance;
         }
+        return box;
+    }
+
+    /// The first ray that hits a box, or the packet's count: culling by interval first.
+    int _FirstRay(const Box3f& box, int firstRay) {
+        ++_statistics.boxTests;
         if (_rays.Culls(box)) {
             ++_statistics.intervalCulls;
             return _rays.rays.count;
@@ -146,7 +154,8 @@ class PatchIntersector {
         stack[count++] = {BezierRows(bezier), u, v, size, splits, firstRay, false};
         while (count > 0) {
             SubPatch& part = stack[--count];
-            const int first = _FirstRay(HullBox(part.bezier), part.firstRay);
+            const Box3f box = _Widened(HullBox(part.bezier));
+            const int first = _FirstRay(box, part.firstRay);
             if (first >= _rays.rays.count) {
                 continue;
             }
@@ -155,7 +164,7 @@ class PatchIntersector {
                                           part.bezier.Corner(part.isTransposed, !part.isTransposed),
                                           part.bezier.Corner(1, 1),
                                           part.bezier.Corner(!part.isTransposed, part.isTransposed)};
-                _IntersectQuad(corners, part.u, part.v, part.size, first);
+                _IntersectQuad(corners, box, part.u, part.v, part.size, first);
                 continue;
             }
             ++_statistics.subdivisionsRegular;
@@ -179,9 +188,10 @@ class PatchIntersector {
         }
     }
 
-    /// The final intersection (paper, section 3.5): two triangles, rays from the first that hits
-    /// the quad's box on.
-    void _IntersectQuad(const Vec3f corners[4], float u, float v, float size, int firstRay) {
+    /// The final intersection (paper, section 3.5): two triangles, and of the rays only those that
+    /// hit the quad's box, by vectors.
+    void _IntersectQuad(const Vec3f corners[4], const Box3f& box, float u, float v, float size,
+                        int firstRay) {
         ++_statistics.finalIntersections;
         const Tag d;
         const int lanes = static_cast<int>(hn::Lanes(d));
@@ -189,6 +199,9 @@ class PatchIntersector {
             std::max(Length(corners[2] - corners[0]), Length(corners[3] - corners[1]));
         bool isShortened = false;
         for (int group = firstRay - firstRay % lanes; group < _rays.rays.count; group += lanes) {
+            if (hn::AllFalse(d, RaysHitBox(d, _rays.rays, group, box))) {
+                continue;
+            }
             _statistics.activeLanes += lanes;
             const RayLanes<Tag> rays(d, _rays.rays, group);
             const auto slack = hn::Mul(hn::Set(d, 2 * _tolerance * longest),
