@@ -1,0 +1,212 @@
+#include "core/scene/mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace cc {
+namespace {
+
+/// Larger coordinates overflow when they are squared and summed up.
+constexpr float kLargestCoordinate = 1e18f;
+
+bool IsUsable(const Vec3f& p) {
+    // False for NaN too.
+    return std::fabs(p.x) <= kLargestCoordinate && std::fabs(p.y) <= kLargestCoordinate &&
+           std::fabs(p.z) <= kLargestCoordinate;
+}
+
+std::string CheckPoints(const std::vector<Vec3f>& points) {
+    const auto bad = std::find_if_not(points.begin(), points.end(), IsUsable);
+    if (bad == points.end()) {
+        return {};
+    }
+    return "point " + std::to_string(bad - points.begin()) +
+           (IsFinite(*bad) ? " is too far away" : " is not finite") + "; the mesh is left out";
+}
+
+size_t CountUsedPoints(const ControlMesh& topology) {
+    const auto& indices = topology.faceVertexIndices;
+    const auto last = std::max_element(indices.begin(), indices.end());
+    return last == indices.end() ? 0 : static_cast<size_t>(*last) + 1;
+}
+
+bool HasUsableEntries(const AffineTransform& transform) {
+    for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 4; ++column) {
+            if (!(std::fabs(transform(row, column)) <= kLargestCoordinate)) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+}  // namespace
+
+Mesh::Mesh(std::string name) : _name(std::move(name)) {}
+
+void Mesh::SetPrimId(int primId) { _primId = primId; }
+
+void Mesh::SetTopology(ControlMesh topology) {
+    _topology = std::move(topology);
+    _topologyChanged = true;
+}
+
+void Mesh::SetPoints(std::vector<Vec3f> points) {
+    _points = std::move(points);
+    _pointsChanged = true;
+    _pointsAreInSurface = false;
+}
+
+void Mesh::SetDisplayColor(Primvar3f color) {
+    _newColor = std::move(color);
+    _colorChanged = true;
+}
+
+void Mesh::SetTransform(const AffineTransform& objectToWorld) {
+    _transformChanged = _transformChanged || objectToWorld != _objectToWorld;
+    _objectToWorld = objectToWorld;
+}
+
+void Mesh::SetVisible(bool visible) { _visible = visible; }
+
+void Mesh::SetCullBackFaces(bool cull) { _cullBackFaces = cull; }
+
+void Mesh::SetRenderTag(std::string tag) { _renderTag = std::move(tag); }
+
+Vec3f Mesh::DisplayColor(uint32_t patch, float u, float v) const {
+    return _color.Evaluate(_surface->Patches(), _faces, patch, u, v);
+}
+
+Mesh::BuildReport Mesh::_Build() {
+    BuildReport report;
+    if (_topologyChanged || _pointsChanged) {
+        _BuildSurface(&report);
+    }
+    if (_surface && _colorChanged) {
+        _BuildColor(&report);
+    }
+    if (_transformChanged || report.work != SurfaceWork::None) {
+        _BuildTransform(&report);
+    }
+    _topologyChanged = _pointsChanged = _transformChanged = false;
+    return report;
+}
+
+void Mesh::_BuildSurface(BuildReport* report) {
+    report->topLevelChanged = true;
+    _isSurfaceUsable = false;
+    if (_topologyChanged || !_surface) {
+        if (_pointsAreInSurface) {
+            const std::vector<Vec3f>& points = _surface->PatchPoints();
+            _points.assign(points.begin(), points.begin() + _surface->Patches().CagePointCount());
+            _pointsAreInSurface = false;
+        }
+        _TakeColorBack();
+        _surface.reset();
+        _RebuildSurface(report);
+    } else {
+        _MoveSurface(report);
+    }
+    if (report->work != SurfaceWork::None) {
+        _points = {};
+        _pointsAreInSurface = true;
+        _isSurfaceUsable = _surface->Patches().Count() > 0;
+    }
+}
+
+void Mesh::_TakeColorBack() {
+    if (!_colorChanged && _isColorUsable && _surface) {
+        _newColor = _color.TakePrimvar(_surface->Patches().CagePointCount());
+    }
+    _colorChanged = true;
+}
+
+void Mesh::_RebuildSurface(BuildReport* report) {
+    if (_topology.faceVertexCounts.empty() && _topology.faceVertexIndices.empty()) {
+        return;  // empty, and nothing wrong with that
+    }
+    if (_points.empty()) {
+        report->lines.push_back("has no points; the mesh is left out");
+        return;
+    }
+    ControlMeshReport validation = ValidateControlMesh(&_topology, _points.size());
+    report->lines = std::move(validation.warnings);
+    if (!validation.IsValid()) {
+        report->lines.push_back(validation.error + "; the mesh is left out");
+        return;
+    }
+    const std::string pointError = CheckPoints(_points);
+    if (!pointError.empty()) {
+        report->lines.push_back(pointError);
+        return;
+    }
+    auto surface = std::make_unique<Surface>(_topology, _points);
+    if (!surface->Error().empty()) {
+        report->lines.push_back(surface->Error() + "; the mesh is left out");
+        return;
+    }
+    _surface = std::move(surface);
+    _usedPointCount = CountUsedPoints(_topology);
+    _faces = FaceVertices(_topology.faceVertexCounts, std::move(_topology.faceVertexIndices));
+    _topology = {};
+    report->work = SurfaceWork::Rebuilt;
+}
+
+void Mesh::_MoveSurface(BuildReport* report) {
+    if (_points.size() < _usedPointCount) {
+        report->lines.push_back("has " + std::to_string(_points.size()) +
+                                " points and faces that use " + std::to_string(_usedPointCount) +
+                                "; the mesh is left out");
+        return;
+    }
+    const std::string pointError = CheckPoints(_points);
+    if (!pointError.empty()) {
+        report->lines.push_back(pointError);
+        return;
+    }
+    // Points that no face uses may come and go.
+    _points.resize(_surface->Patches().CagePointCount());
+    _surface->SetPoints(_points);
+    report->work = SurfaceWork::Moved;
+}
+
+void Mesh::_BuildColor(BuildReport* report) {
+    const std::string error = CheckColor(_newColor, _faces, _surface->Patches().CagePointCount());
+    _isColorUsable = error.empty();
+    if (_isColorUsable) {
+        _color = ColorField(std::exchange(_newColor, {}), _surface->Patches());
+    } else {
+        // Kept, as the next topology may be the one that it belongs to.
+        _color = ColorField();
+        report->lines.push_back(error + "; the mesh is shown in grey");
+    }
+    _colorChanged = false;
+}
+
+void Mesh::_BuildTransform(BuildReport* report) {
+    report->topLevelChanged = true;
+    const bool isUsable = HasUsableEntries(_objectToWorld) &&
+                          _objectToWorld.Invert(&_worldToObject) &&
+                          HasUsableEntries(_worldToObject);
+    if (!isUsable && (_transformChanged || _isTransformUsable)) {
+        report->lines.push_back("has a singular or non-finite transform; the mesh is left out");
+    }
+    _isTransformUsable = isUsable;
+    if (!isUsable || !BuiltSurface()) {
+        return;
+    }
+    const Box3f bounds = _objectToWorld.Box(_surface->Bounds());
+    if (!bounds.IsEmpty() && !(IsUsable(bounds.lower) && IsUsable(bounds.upper))) {
+        report->lines.push_back("is too large once transformed; the mesh is left out");
+        _isTransformUsable = false;
+    }
+}
+
+size_t Mesh::_Bytes() const {
+    return (_surface ? _surface->Bytes() : 0) + _faces.Bytes() + _color.Bytes() +
+           _points.capacity() * sizeof(Vec3f);
+}
+
+}  // namespace cc

@@ -1,0 +1,101 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/math/transform.h"
+#include "core/scene/colorField.h"
+#include "core/scene/faceVertices.h"
+#include "core/scene/primvar.h"
+#include "core/subdiv/controlMesh.h"
+#include "core/trace/surface.h"
+
+namespace cc {
+
+/// A subdivision mesh in the scene. Setters only note what changed; Scene::Build does the work.
+/// Different meshes may be set from different threads, one mesh from one thread at a time.
+class Mesh {
+  public:
+    /// @param name  names the mesh in warnings: the prim's path
+    explicit Mesh(std::string name);
+
+    const std::string& Name() const { return _name; }
+
+    /// The id that the primId AOV shows, 0 or above.
+    void SetPrimId(int primId);
+    void SetTopology(ControlMesh topology);
+    void SetPoints(std::vector<Vec3f> points);
+    /// An empty primvar gives the default grey.
+    void SetDisplayColor(Primvar3f color);
+    void SetTransform(const AffineTransform& objectToWorld);
+    void SetVisible(bool visible);
+    /// Single-sided meshes are invisible from behind only if cullBackFaces is set; both sides are
+    /// shaded with the normal that faces the viewer.
+    void SetCullBackFaces(bool cull);
+    /// Hydra's render tag (purpose) of the mesh: geometry, render, proxy or guide.
+    void SetRenderTag(std::string tag);
+
+    // For the renderer, after Scene::Build:
+
+    int PrimId() const { return _primId; }
+    bool CullBackFaces() const { return _cullBackFaces; }
+    /// Null if the mesh is broken or empty: it is left out of the picture.
+    const Surface* BuiltSurface() const { return _isSurfaceUsable ? _surface.get() : nullptr; }
+    /// Linear RGB display colour at a point of a patch.
+    Vec3f DisplayColor(uint32_t patch, float u, float v) const;
+
+  private:
+    friend class Scene;
+
+    /// What Build did to the surface.
+    enum class SurfaceWork { None, Moved, Rebuilt };
+    struct BuildReport {
+        SurfaceWork work = SurfaceWork::None;
+        /// Anything that the top level shows has changed.
+        bool topLevelChanged = false;
+        /// Lines that say what is wrong, without the mesh's name.
+        std::vector<std::string> lines;
+    };
+
+    /// Brings everything up to date with what was set since the last call.
+    BuildReport _Build();
+    void _BuildSurface(BuildReport* report);
+    /// Before the surface goes: the colour is to be spread over the patches of the next one.
+    void _TakeColorBack();
+    void _RebuildSurface(BuildReport* report);
+    void _MoveSurface(BuildReport* report);
+    void _BuildColor(BuildReport* report);
+    void _BuildTransform(BuildReport* report);
+    bool _IsShown() const { return BuiltSurface() && _isTransformUsable; }
+    size_t _Bytes() const;
+
+    std::string _name;
+    int _primId = -1;
+    bool _cullBackFaces = false;
+    bool _visible = true;
+    std::string _renderTag = "geometry";
+
+    AffineTransform _objectToWorld, _worldToObject;
+    bool _transformChanged = false, _isTransformUsable = true;
+
+    /// Topology, points and colour wait here until they are built; then the surface, _faces and
+    /// _color have all that is needed of them.
+    ControlMesh _topology;
+    bool _topologyChanged = false;
+    std::vector<Vec3f> _points;
+    bool _pointsChanged = false;
+    /// True if the points in use are those of the surface, and _points is empty.
+    bool _pointsAreInSurface = false;
+    Primvar3f _newColor;
+    bool _colorChanged = false, _isColorUsable = true;
+
+    std::unique_ptr<Surface> _surface;
+    bool _isSurfaceUsable = false;
+    FaceVertices _faces;
+    /// Points of the cage that faces use: all have lower indices.
+    size_t _usedPointCount = 0;
+    ColorField _color;
+};
+
+}  // namespace cc

@@ -1,0 +1,142 @@
+#include "core/scene/scene.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstring>
+#include <utility>
+
+#include <tbb/parallel_for.h>
+
+namespace cc {
+namespace {
+
+/// Takes the object out of the vector that owns it.
+template <typename T>
+void Remove(std::vector<std::unique_ptr<T>>* owners, const T* object) {
+    const auto found = std::find_if(owners->begin(), owners->end(),
+                                    [&](const auto& owner) { return owner.get() == object; });
+    if (found != owners->end()) {
+        owners->erase(found);
+    }
+}
+
+/// An order of lights by what they are. Any will do, so bytes are compared: NaN cannot upset it.
+bool IsBefore(const Light& a, const Light& b) {
+    const auto key = [](const Light& light) {
+        return std::array<float, 11>{light.kind == Light::Kind::Sphere ? 1.0f : 0.0f,
+                                     light.castsShadows ? 1.0f : 0.0f,
+                                     light.direction.x,
+                                     light.direction.y,
+                                     light.direction.z,
+                                     light.position.x,
+                                     light.position.y,
+                                     light.position.z,
+                                     light.power.x,
+                                     light.power.y,
+                                     light.power.z};
+    };
+    const auto keyA = key(a), keyB = key(b);
+    return std::memcmp(keyA.data(), keyB.data(), sizeof(keyA)) < 0;
+}
+
+double SecondsSince(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+}  // namespace
+
+Scene::Scene() = default;
+Scene::~Scene() = default;
+
+Mesh* Scene::AddMesh(std::string name) {
+    const std::lock_guard<std::mutex> lock(_mutex);
+    _meshes.push_back(std::make_unique<Mesh>(std::move(name)));
+    return _meshes.back().get();
+}
+
+void Scene::RemoveMesh(Mesh* mesh) {
+    const std::lock_guard<std::mutex> lock(_mutex);
+    Remove(&_meshes, mesh);
+}
+
+Light* Scene::AddLight() {
+    const std::lock_guard<std::mutex> lock(_mutex);
+    _lights.push_back(std::make_unique<Light>());
+    return _lights.back().get();
+}
+
+void Scene::RemoveLight(Light* light) {
+    const std::lock_guard<std::mutex> lock(_mutex);
+    Remove(&_lights, light);
+}
+
+std::vector<std::string> Scene::Build(const std::vector<std::string>& renderTags) {
+    const auto start = std::chrono::steady_clock::now();
+    // Threads add meshes and lights in any order; pictures and warnings must not depend on it.
+    std::stable_sort(_meshes.begin(), _meshes.end(),
+                     [](const auto& a, const auto& b) { return a->Name() < b->Name(); });
+    std::stable_sort(_lights.begin(), _lights.end(),
+                     [](const auto& a, const auto& b) { return IsBefore(*a, *b); });
+    std::vector<Mesh*> meshes;
+    for (const auto& mesh : _meshes) {
+        if (mesh->_visible &&
+            std::find(renderTags.begin(), renderTags.end(), mesh->_renderTag) != renderTags.end()) {
+            meshes.push_back(mesh.get());
+        }
+    }
+    std::vector<std::string> lines;
+    const bool meshesChanged = _BuildMeshes(meshes, &lines);
+    _BuildTopLevel(meshes, meshesChanged);
+    _work.buildSeconds = SecondsSince(start);
+    return lines;
+}
+
+bool Scene::_BuildMeshes(const std::vector<Mesh*>& meshes, std::vector<std::string>* lines) {
+    std::vector<Mesh::BuildReport> reports(meshes.size());
+    tbb::parallel_for(size_t(0), meshes.size(),
+                      [&](size_t i) { reports[i] = meshes[i]->_Build(); });
+    bool changed = false;
+    for (size_t i = 0; i < meshes.size(); ++i) {
+        const Mesh::BuildReport& report = reports[i];
+        changed = changed || report.topLevelChanged;
+        _work.surfacesBuilt += report.work == Mesh::SurfaceWork::Rebuilt;
+        _work.surfacesMoved += report.work == Mesh::SurfaceWork::Moved;
+        for (const std::string& line : report.lines) {
+            lines->push_back(meshes[i]->Name() + ": " + line);
+        }
+    }
+    return changed;
+}
+
+void Scene::_BuildTopLevel(const std::vector<Mesh*>& meshes, bool meshesChanged) {
+    std::vector<const Mesh*> instanceMeshes;
+    std::vector<Instance> instances;
+    for (const Mesh* mesh : meshes) {
+        if (mesh->_IsShown()) {
+            instanceMeshes.push_back(mesh);
+            instances.push_back({mesh->BuiltSurface(), mesh->_objectToWorld, mesh->_worldToObject});
+        }
+    }
+    if (!meshesChanged && instanceMeshes == _instanceMeshes) {
+        return;
+    }
+    _instanceMeshes = std::move(instanceMeshes);
+    _instances = InstanceBvh(std::move(instances));
+    ++_work.topLevelsBuilt;
+}
+
+Scene::Statistics Scene::GetStatistics() const {
+    Statistics statistics = _work;
+    for (const Mesh* mesh : _instanceMeshes) {
+        statistics.faces += mesh->_faces.FaceCount();
+        statistics.patches += mesh->BuiltSurface()->Patches().Count();
+        statistics.bytes += mesh->_Bytes();
+    }
+    statistics.bytes += _instances.Instances().capacity() * sizeof(Instance) +
+                        _instances.TopLevel().Bytes() +
+                        _instanceMeshes.capacity() * sizeof(const Mesh*);
+    return statistics;
+}
+
+}  // namespace cc

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "core/scene/light.h"
+#include "core/scene/mesh.h"
+#include "core/trace/instance.h"
+
+namespace cc {
+
+/// Everything a picture shows but the camera. Meshes and lights may be added, set and removed from
+/// any thread between two calls of Build; during Build and rendering the scene must rest.
+class Scene {
+  public:
+    Scene();
+    ~Scene();
+
+    /// The scene owns what it returns.
+    Mesh* AddMesh(std::string name);
+    void RemoveMesh(Mesh* mesh);
+    Light* AddLight();
+    void RemoveLight(Light* light);
+
+    /// Brings surfaces and the top level up to date, in parallel, doing only what changes ask for:
+    /// topology rebuilds one mesh, points only its bounds, a transform only the top level.
+    /// @param renderTags  meshes with another tag are left out
+    /// Returns one line for each thing that was wrong, beginning with the mesh's name. A line is
+    /// returned once, not at every Build.
+    std::vector<std::string> Build(const std::vector<std::string>& renderTags);
+
+    // After Build:
+
+    const InstanceBvh& Instances() const { return _instances; }
+    /// The mesh of an instance, by the index that hits carry.
+    const Mesh& InstanceMesh(uint32_t instance) const { return *_instanceMeshes[instance]; }
+    const std::vector<std::unique_ptr<Light>>& Lights() const { return _lights; }
+
+    /// Authored faces, patches and bytes of structures of all that is built.
+    struct Statistics {
+        size_t faces = 0, patches = 0, bytes = 0;
+        double buildSeconds = 0;  ///< of the last Build
+        /// What all calls of Build did: surfaces made, surfaces whose points moved, top levels.
+        size_t surfacesBuilt = 0, surfacesMoved = 0, topLevelsBuilt = 0;
+    };
+    Statistics GetStatistics() const;
+
+  private:
+    bool _BuildMeshes(const std::vector<Mesh*>& meshes, std::vector<std::string>* lines);
+    void _BuildTopLevel(const std::vector<Mesh*>& meshes, bool meshesChanged);
+
+    std::mutex _mutex;
+    std::vector<std::unique_ptr<Mesh>> _meshes;
+    std::vector<std::unique_ptr<Light>> _lights;
+    std::vector<const Mesh*> _instanceMeshes;
+    InstanceBvh _instances;
+    /// Only the counts of work and the time; the rest is added up when asked for.
+    Statistics _work;
+};
+
+}  // namespace cc
