@@ -1,0 +1,83 @@
+#include "core/render/renderer.h"
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <vector>
+
+#include <tbb/info.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include "core/render/cameraRays.h"
+#include "core/render/tileOrder.h"
+#include "core/render/tileRenderer.h"
+
+namespace cc {
+namespace {
+
+/// Hands tiles to as many workers as there are threads, in order, until all are done or the frame
+/// is stopped. Returns the number of tiles rendered.
+size_t RenderTiles(const TileRenderer& renderer, const std::vector<Tile>& tiles, int threads,
+                   std::vector<RenderStatistics>* statisticsOfWorkers,
+                   std::atomic<int64_t>* progress, const std::atomic<bool>* stop) {
+    std::atomic<size_t> next{0}, done{0};
+    tbb::task_arena arena(threads);
+    arena.execute([&] {
+        tbb::parallel_for(
+            0, threads,
+            [&](int worker) {
+                // Kept apart, as neighbours in memory would slow each other down.
+                RenderStatistics statistics;
+                while (!(stop && stop->load(std::memory_order_relaxed))) {
+                    const size_t i = next.fetch_add(1, std::memory_order_relaxed);
+                    if (i >= tiles.size()) {
+                        break;
+                    }
+                    renderer.Render(tiles[i], &statistics);
+                    done.fetch_add(1, std::memory_order_relaxed);
+                    if (progress) {
+                        progress->fetch_add(int64_t(tiles[i].width) * tiles[i].height);
+                    }
+                }
+                (*statisticsOfWorkers)[worker] = statistics;
+            },
+            tbb::simple_partitioner());
+    });
+    return done;
+}
+
+}  // namespace
+
+bool RenderFrame(const Scene& scene, const Camera& camera, const RenderOptions& options, Film* film,
+                 RenderStatistics* statistics, std::atomic<int64_t>* progress,
+                 const std::atomic<bool>* stop) {
+    const auto start = std::chrono::steady_clock::now();
+    *statistics = {};
+    RenderOptions valid = options;
+    valid.level = std::min(std::max(options.level, 0), 8);
+    valid.samples = std::max(options.samples, 1);
+    valid.threads = options.threads > 0 ? options.threads : tbb::info::default_concurrency();
+
+    const CameraRays cameraRays(camera, film->Width(), film->Height());
+    if (!cameraRays.IsValid()) {
+        film->Clear();
+        if (progress) {
+            progress->fetch_add(int64_t(film->Width()) * film->Height());
+        }
+        return true;
+    }
+    const std::unique_ptr<Tracer> tracer = MakeTracer(valid.tracer, valid.level);
+    const TileRenderer renderer(scene, cameraRays, *tracer, valid, film);
+    const std::vector<Tile> tiles = TilesFromTheMiddle(film->Width(), film->Height());
+    std::vector<RenderStatistics> workers(valid.threads);
+    const size_t done = RenderTiles(renderer, tiles, valid.threads, &workers, progress, stop);
+    for (const RenderStatistics& worker : workers) {
+        *statistics += worker;
+    }
+    statistics->seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return done == tiles.size();
+}
+
+}  // namespace cc

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+
+#include "core/render/film.h"
+#include "core/scene/camera.h"
+#include "core/scene/scene.h"
+#include "core/trace/traceStatistics.h"
+#include "core/trace/tracer.h"
+
+namespace cc {
+
+enum class IntegratorKind { Raycast };
+
+/// What the hdcc: render settings say, within their ranges.
+struct RenderOptions {
+    TracerKind tracer = TracerKind::Packet;
+    IntegratorKind integrator = IntegratorKind::Raycast;
+    int level = 4;     ///< 0..8
+    int samples = 16;  ///< a pixel, 1 or more
+    int seed = 0;
+    int threads = 0;  ///< 0: as many as there are cores
+};
+
+/// What a frame took.
+struct RenderStatistics {
+    uint64_t primaryRays = 0, shadowRays = 0;
+    /// Seconds inside the tracer, added up over threads.
+    double primarySeconds = 0, shadowSeconds = 0;
+    double seconds = 0;  ///< wall time of the frame
+    TraceStatistics trace;
+
+    RenderStatistics& operator+=(const RenderStatistics& b) {
+        primaryRays += b.primaryRays;
+        shadowRays += b.shadowRays;
+        primarySeconds += b.primarySeconds;
+        shadowSeconds += b.shadowSeconds;
+        seconds += b.seconds;
+        trace += b.trace;
+        return *this;
+    }
+};
+
+/// Renders a built scene into the planes that the film has. The result is the same for any number
+/// of threads. Ids, depths and normals are those of the pixel's centre; colour is the average of
+/// all samples. A camera that cannot show anything gives background.
+/// @param progress  pixels done, counted up while the frame renders; may be null
+/// @param stop      the frame is given up soon after it turns true; may be null
+/// Returns false if it was stopped.
+bool RenderFrame(const Scene& scene, const Camera& camera, const RenderOptions& options, Film* film,
+                 RenderStatistics* statistics, std::atomic<int64_t>* progress,
+                 const std::atomic<bool>* stop);
+
+}  // namespace cc

@@ -1,0 +1,107 @@
+#include "core/render/shadingPoint.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/subdiv/limitPoint.h"
+
+namespace cc {
+namespace {
+
+/// Below this cosine between ray and normal, the limit surface may turn away from a ray that hit
+/// the side of a quad that faces it.
+constexpr float kGrazingCosine = 0.25f;
+
+/// Rounding errors of a point, in units of the last place of the largest number it is made from.
+constexpr float kOffsetUlps = 32;
+
+Vec3f RayDirection(const RayPacket& rays, int lane) {
+    return {rays.directionX[lane], rays.directionY[lane], rays.directionZ[lane]};
+}
+
+LimitPoint LimitAtHit(const Instance& instance, const HitPacket& hits, int lane) {
+    const Surface& surface = *instance.surface;
+    return EvaluateLimit(surface.Patches(), hits.patch[lane], surface.PatchPoints().data(),
+                         hits.u[lane], hits.v[lane]);
+}
+
+/// Normal of the traced quad that a point of a patch lies on, in object space and of any length.
+Vec3f QuadNormal(const Surface& surface, uint32_t patch, float u, float v, int level) {
+    const int quads = 1 << std::max(level - surface.Patches().At(patch).depth, 0);
+    const float size = 1 / static_cast<float>(quads);
+    const float u0 = std::min(std::floor(u * quads), quads - 1.0f) * size;
+    const float v0 = std::min(std::floor(v * quads), quads - 1.0f) * size;
+    const auto corner = [&](float cu, float cv) {
+        return EvaluateLimitValue(surface.Patches(), patch, surface.PatchPoints().data(), cu, cv);
+    };
+    return Cross(corner(u0 + size, v0 + size) - corner(u0, v0),
+                 corner(u0, v0 + size) - corner(u0 + size, v0));
+}
+
+bool IsBehind(const Instance& instance, const LimitPoint& limit, const RayPacket& rays,
+              const HitPacket& hits, int lane, int level) {
+    const Vec3f direction = Normalize(instance.worldToObject.Direction(RayDirection(rays, lane)));
+    const float cosine = Dot(limit.normal, direction);
+    if (std::fabs(cosine) > kGrazingCosine) {
+        return cosine > 0;
+    }
+    // At silhouettes the quad decides: a flipped normal would be lit from the far side.
+    const Vec3f normal =
+        QuadNormal(*instance.surface, hits.patch[lane], hits.u[lane], hits.v[lane], level);
+    const float quadCosine = Dot(normal, direction);
+    const float orientation = Dot(normal, limit.normal);
+    return orientation == 0 ? cosine > 0 : (quadCosine > 0) == (orientation > 0);
+}
+
+float LargestComponent(const Vec3f& v) {
+    return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
+}
+
+/// The largest number that took part in finding a hit: bounds the rounding errors of its position.
+float LargestNumber(const Instance& instance, const Vec3f& objectPosition, const Vec3f& origin,
+                    const Vec3f& hitPosition) {
+    const AffineTransform& m = instance.objectToWorld;
+    const float object = LargestComponent(objectPosition);
+    float largest = std::max(LargestComponent(origin), LargestComponent(hitPosition));
+    for (int row = 0; row < 3; ++row) {
+        const double scale = std::fabs(m(row, 0)) + std::fabs(m(row, 1)) + std::fabs(m(row, 2));
+        largest = std::max(largest, static_cast<float>(scale * object));
+        largest = std::max(largest, static_cast<float>(std::fabs(m(row, 3))));
+    }
+    return largest;
+}
+
+}  // namespace
+
+ShadingPoint MakeShadingPoint(const Instance& instance, const RayPacket& rays,
+                              const HitPacket& hits, int lane, int level) {
+    const LimitPoint limit = LimitAtHit(instance, hits, lane);
+    const Vec3f direction = RayDirection(rays, lane);
+    const Vec3f origin{rays.originX[lane], rays.originY[lane], rays.originZ[lane]};
+    const Vec3f hitPosition = origin + direction * rays.tMax[lane];
+
+    ShadingPoint point;
+    point.position = instance.objectToWorld.Point(limit.position);
+    point.normal = Normalize(instance.worldToObject.NormalByInverse(limit.normal));
+    if (IsBehind(instance, limit, rays, hits, lane, level)) {
+        point.normal = -point.normal;
+    }
+    if (point.normal == Vec3f{}) {
+        point.normal = Normalize(-direction);
+    }
+    // Where the surface is hollow, the quads lie above it and would shadow it; where it bulges, the
+    // quads lie below, and on a quad's own plane its neighbours would cast shadows.
+    const bool isQuadAbove = Dot(hitPosition - point.position, point.normal) > 0;
+    const float offset = kOffsetUlps * std::numeric_limits<float>::epsilon() *
+                         LargestNumber(instance, limit.position, origin, hitPosition);
+    point.rayOrigin = (isQuadAbove ? hitPosition : point.position) + point.normal * offset;
+    return point;
+}
+
+bool IsHitFromBehind(const Instance& instance, const RayPacket& rays, const HitPacket& hits,
+                     int lane, int level) {
+    return IsBehind(instance, LimitAtHit(instance, hits, lane), rays, hits, lane, level);
+}
+
+}  // namespace cc

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "core/math/vec.h"
+#include "core/trace/instance.h"
+#include "core/trace/rayPacket.h"
+
+namespace cc {
+
+/// What shading needs to know of a hit, in world space.
+struct ShadingPoint {
+    Vec3f position;  ///< on the limit surface
+    Vec3f normal;    ///< unit, of the limit surface, on the side that is seen
+    /// Where rays that leave on that side begin: clear of the quads that are traced.
+    Vec3f rayOrigin;
+    Vec3f albedo;
+};
+
+/// Makes all but the albedo.
+/// @param lane   of a ray that hit the instance
+/// @param level  that the tracer traced
+ShadingPoint MakeShadingPoint(const Instance& instance, const RayPacket& rays,
+                              const HitPacket& hits, int lane, int level);
+
+/// True if a ray hit the inner side: the one that the limit surface's normal points away from.
+bool IsHitFromBehind(const Instance& instance, const RayPacket& rays, const HitPacket& hits,
+                     int lane, int level);
+
+}  // namespace cc

@@ -1,0 +1,212 @@
+#include "core/render/tileRenderer.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "core/render/directLight.h"
+#include "core/render/pixelSampler.h"
+
+namespace cc {
+namespace {
+
+static_assert(kTileSize * kTileSize == kPacketSize, "a tile is a packet");
+
+/// Culled surfaces that a ray may pass through before it is taken for a miss.
+constexpr int kMaxCulledHits = 256;
+
+/// Factor by which a ray goes on beyond a culled hit: a few units in the last place.
+constexpr float kBeyondHit = 1 + 1e-6f;
+
+void CopyRay(const RayPacket& from, int fromLane, RayPacket* to, int toLane) {
+    to->originX[toLane] = from.originX[fromLane];
+    to->originY[toLane] = from.originY[fromLane];
+    to->originZ[toLane] = from.originZ[fromLane];
+    to->directionX[toLane] = from.directionX[fromLane];
+    to->directionY[toLane] = from.directionY[fromLane];
+    to->directionZ[toLane] = from.directionZ[fromLane];
+    to->tMin[toLane] = from.tMin[fromLane];
+    to->tMax[toLane] = from.tMax[fromLane];
+}
+
+void CopyHit(const HitPacket& from, int fromLane, HitPacket* to, int toLane) {
+    to->instance[toLane] = from.instance[fromLane];
+    to->patch[toLane] = from.patch[fromLane];
+    to->u[toLane] = from.u[fromLane];
+    to->v[toLane] = from.v[fromLane];
+}
+
+size_t PixelOf(const Tile& tile, int lane, int filmWidth) {
+    return static_cast<size_t>(tile.y + lane / tile.width) * filmWidth + tile.x + lane % tile.width;
+}
+
+void Store(const Vec3f& v, float* values) {
+    values[0] = v.x;
+    values[1] = v.y;
+    values[2] = v.z;
+}
+
+}  // namespace
+
+TileRenderer::TileRenderer(const Scene& scene, const CameraRays& camera, const Tracer& tracer,
+                           const RenderOptions& options, Film* film)
+    : _scene(scene), _camera(camera), _tracer(tracer), _options(options), _film(film) {
+    for (size_t i = 0; i < scene.Instances().Instances().size(); ++i) {
+        _hasCulling = _hasCulling || scene.InstanceMesh(static_cast<uint32_t>(i)).CullBackFaces();
+    }
+}
+
+void TileRenderer::Render(const Tile& tile, RenderStatistics* statistics) const {
+    Sample sample;
+    float rgba[4 * kPacketSize] = {};
+    const int samples = _film->Has(Aov::Color) ? std::max(_options.samples, 1) : 1;
+    for (int i = 0; i < samples; ++i) {
+        _TraceSample(tile, i, &sample, statistics);
+        if (i == 0) {
+            _WriteSurface(tile, sample);
+        }
+        if (_film->Has(Aov::Color)) {
+            _AddColor(sample, rgba, statistics);
+        }
+    }
+    if (_film->Has(Aov::Color)) {
+        for (float& value : rgba) {
+            value /= static_cast<float>(samples);
+        }
+        _WriteColor(tile, rgba);
+    }
+}
+
+void TileRenderer::_TraceSample(const Tile& tile, int index, Sample* sample,
+                                RenderStatistics* statistics) const {
+    sample->rays.count = tile.width * tile.height;
+    for (int lane = 0; lane < sample->rays.count; ++lane) {
+        const int x = tile.x + lane % tile.width, y = tile.y + lane / tile.width;
+        const Vec2f inPixel = PixelSampler(x, y, _options.seed).Sample(index);
+        _camera.SetRay(double(x) + inPixel.x, double(y) + inPixel.y, lane, &sample->rays);
+    }
+    _Intersect(&sample->rays, &sample->hits, statistics);
+    if (_hasCulling) {
+        _PassThroughCulled(sample, statistics);
+    }
+}
+
+void TileRenderer::_Intersect(RayPacket* rays, HitPacket* hits,
+                              RenderStatistics* statistics) const {
+    const auto start = std::chrono::steady_clock::now();
+    _tracer.Intersect(_scene.Instances(), rays, hits, &statistics->trace);
+    statistics->primarySeconds +=
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    statistics->primaryRays += rays->count;
+}
+
+bool TileRenderer::_IsCulled(const RayPacket& rays, const HitPacket& hits, int lane) const {
+    const uint32_t instance = hits.instance[lane];
+    return instance != kNoHit && _scene.InstanceMesh(instance).CullBackFaces() &&
+           IsHitFromBehind(_scene.Instances().Instances()[instance], rays, hits, lane,
+                           _options.level);
+}
+
+void TileRenderer::_PassThroughCulled(Sample* sample, RenderStatistics* statistics) const {
+    // Of the rays that are still on their way: the lane in the sample.
+    int lanes[kPacketSize];
+    RayPacket rays;
+    for (int lane = 0; lane < sample->rays.count; ++lane) {
+        if (_IsCulled(sample->rays, sample->hits, lane)) {
+            lanes[rays.count] = lane;
+            CopyRay(sample->rays, lane, &rays, rays.count++);
+        }
+    }
+    for (int passed = 0; passed < kMaxCulledHits && rays.count > 0; ++passed) {
+        for (int i = 0; i < rays.count; ++i) {
+            rays.tMin[i] = rays.tMax[i] * kBeyondHit;
+            rays.tMax[i] = _camera.FarEnd();
+        }
+        HitPacket hits;
+        _Intersect(&rays, &hits, statistics);
+        int remaining = 0;
+        for (int i = 0; i < rays.count; ++i) {
+            if (_IsCulled(rays, hits, i)) {
+                lanes[remaining] = lanes[i];
+                CopyRay(rays, i, &rays, remaining++);
+            } else {
+                sample->rays.tMax[lanes[i]] = rays.tMax[i];
+                CopyHit(hits, i, &sample->hits, lanes[i]);
+            }
+        }
+        rays.count = remaining;
+    }
+    for (int i = 0; i < rays.count; ++i) {
+        sample->hits.instance[lanes[i]] = kNoHit;
+    }
+}
+
+ShadingPoint TileRenderer::_Shade(const Sample& sample, int lane) const {
+    return MakeShadingPoint(_scene.Instances().Instances()[sample.hits.instance[lane]], sample.rays,
+                            sample.hits, lane, _options.level);
+}
+
+void TileRenderer::_AddColor(const Sample& sample, float* rgba,
+                             RenderStatistics* statistics) const {
+    const HitPacket& hits = sample.hits;
+    ShadingPoint points[kPacketSize];
+    int lanes[kPacketSize];
+    int count = 0;
+    for (int lane = 0; lane < sample.rays.count; ++lane) {
+        if (sample.IsHit(lane)) {
+            points[count] = _Shade(sample, lane);
+            points[count].albedo = _scene.InstanceMesh(hits.instance[lane])
+                                       .DisplayColor(hits.patch[lane], hits.u[lane], hits.v[lane]);
+            lanes[count++] = lane;
+        }
+    }
+    Vec3f radiance[kPacketSize];
+    AddDirectLight(_scene, _tracer, points, count, radiance, statistics);
+    for (int i = 0; i < count; ++i) {
+        float* pixel = rgba + 4 * lanes[i];
+        pixel[0] += radiance[i].x;
+        pixel[1] += radiance[i].y;
+        pixel[2] += radiance[i].z;
+        pixel[3] += 1;
+    }
+}
+
+void TileRenderer::_WriteColor(const Tile& tile, const float* rgba) const {
+    float* plane = _film->Floats(Aov::Color);
+    for (int lane = 0; lane < tile.width * tile.height; ++lane) {
+        std::copy(rgba + 4 * lane, rgba + 4 * lane + 4,
+                  plane + 4 * PixelOf(tile, lane, _film->Width()));
+    }
+}
+
+void TileRenderer::_WriteSurface(const Tile& tile, const Sample& sample) const {
+    float* depth = _film->Floats(Aov::Depth);
+    float* cameraDepth = _film->Floats(Aov::CameraDepth);
+    float* normal = _film->Floats(Aov::Normal);
+    float* neye = _film->Floats(Aov::Neye);
+    int32_t* primId = _film->Ints(Aov::PrimId);
+    int32_t* instanceId = _film->Ints(Aov::InstanceId);
+    int32_t* elementId = _film->Ints(Aov::ElementId);
+    for (int lane = 0; lane < sample.rays.count; ++lane) {
+        const size_t pixel = PixelOf(tile, lane, _film->Width());
+        const bool isHit = sample.IsHit(lane);
+        const float t = sample.rays.tMax[lane];
+        const Mesh* mesh = isHit ? &_scene.InstanceMesh(sample.hits.instance[lane]) : nullptr;
+        if (depth) depth[pixel] = isHit ? _camera.ProjectedDepth(t) : 1;
+        if (cameraDepth) cameraDepth[pixel] = isHit ? t : 0;
+        if (primId) primId[pixel] = isHit ? mesh->PrimId() : -1;
+        if (instanceId) instanceId[pixel] = isHit ? 0 : -1;
+        if (elementId) {
+            const uint32_t patch = sample.hits.patch[lane];
+            elementId[pixel] =
+                isHit ? static_cast<int32_t>(mesh->BuiltSurface()->Patches().AuthoredFace(patch))
+                      : -1;
+        }
+        if (normal || neye) {
+            const Vec3f n = isHit ? _Shade(sample, lane).normal : Vec3f{};
+            if (normal) Store(n, normal + 3 * pixel);
+            if (neye) Store(_camera.CameraNormal(n), neye + 3 * pixel);
+        }
+    }
+}
+
+}  // namespace cc

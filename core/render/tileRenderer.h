@@ -1,0 +1,49 @@
+#pragma once
+
+#include "core/render/cameraRays.h"
+#include "core/render/film.h"
+#include "core/render/renderer.h"
+#include "core/render/shadingPoint.h"
+#include "core/render/tileOrder.h"
+#include "core/scene/scene.h"
+#include "core/trace/tracer.h"
+
+namespace cc {
+
+/// Renders tiles into a film, one packet of rays a sample. Tiles do not share pixels: different
+/// threads may render different tiles.
+class TileRenderer {
+  public:
+    TileRenderer(const Scene& scene, const CameraRays& camera, const Tracer& tracer,
+                 const RenderOptions& options, Film* film);
+
+    void Render(const Tile& tile, RenderStatistics* statistics) const;
+
+  private:
+    /// Rays through the pixels of a tile, row by row from the lower left, and what they hit.
+    struct Sample {
+        RayPacket rays;
+        HitPacket hits;
+
+        bool IsHit(int lane) const { return hits.instance[lane] != kNoHit; }
+    };
+
+    void _TraceSample(const Tile& tile, int index, Sample* sample,
+                      RenderStatistics* statistics) const;
+    void _Intersect(RayPacket* rays, HitPacket* hits, RenderStatistics* statistics) const;
+    void _PassThroughCulled(Sample* sample, RenderStatistics* statistics) const;
+    bool _IsCulled(const RayPacket& rays, const HitPacket& hits, int lane) const;
+    ShadingPoint _Shade(const Sample& sample, int lane) const;
+    void _AddColor(const Sample& sample, float* rgba, RenderStatistics* statistics) const;
+    void _WriteColor(const Tile& tile, const float* rgba) const;
+    void _WriteSurface(const Tile& tile, const Sample& sample) const;
+
+    const Scene& _scene;
+    const CameraRays& _camera;
+    const Tracer& _tracer;
+    const RenderOptions& _options;
+    Film* _film;
+    bool _hasCulling = false;
+};
+
+}  // namespace cc
