@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace cc {
+
+/// A plane of pixels to write: rows from the bottom up, components interleaved.
+struct ImagePlane {
+    std::string name;  ///< "color" gives channels R, G, B, A; any other name gives NAME.X etc.
+    int components = 4;
+    bool isInteger = false;
+    const void* pixels = nullptr;  ///< 32-bit floats, or 32-bit ints if isInteger
+};
+
+/// Writes planes to a picture. EXR takes any number of planes as one multi-layer file: floats as
+/// half (colour, normals) or float (depths), ints as float. 8-bit formats (PNG, JPEG, TIFF by
+/// extension) take the colour plane alone, which must have been converted for display; JPEG drops
+/// its alpha. The file appears under its name only when it is whole.
+///
+/// EXR channels are named LAYER.CHANNEL, as compositors group them. The layer is the plane's name
+/// and none for "color":
+///
+///     color                  R G B A           half, too large values end at 65504
+///     three components       NAME.X .Y .Z      half
+///     two or four            NAME.X .Y (.Z .W) half
+///     one float              NAME.Z            float
+///     one int                NAME.X            float: exact to 2^24, and -1 stays -1
+///
+/// Ids are floats and not EXR's unsigned ints: those have no -1, and readers that convert to
+/// float, as idiff does, would scale them to 0..1.
+///
+/// Returns an empty string, or one line that says what went wrong.
+std::string WriteImage(const std::string& path, int width, int height,
+                       const std::vector<ImagePlane>& planes);
+
+/// True if the format that the path's extension names holds 8-bit display values.
+bool IsDisplayFormat(const std::string& path);
+
+}  // namespace cc
