@@ -68,7 +68,6 @@ public:
 
     // What a set of bits says. Points, normals and widths count as primvars too, each with a bit
     // of its own.
-    HD_API static bool IsDirty(HdDirtyBits dirtyBits);
     HD_API static bool IsExtentDirty(HdDirtyBits dirtyBits, SdfPath const &id);
     HD_API static bool IsDisplayStyleDirty(HdDirtyBits dirtyBits, SdfPath const &id);
     HD_API static bool IsSubdivTagsDirty(HdDirtyBits dirtyBits, SdfPath const &id);

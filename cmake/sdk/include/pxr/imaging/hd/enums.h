@@ -16,6 +16,9 @@ enum HdCullStyle {
     HdCullStyleFrontUnlessDoubleSided = 5
 };
 
+/// The style that shows what the given one hides.
+HD_API HdCullStyle HdInvertCullStyle(HdCullStyle cs);
+
 /// The element of a prim that each value of a primvar belongs to.
 enum HdInterpolation {
     HdInterpolationConstant = 0,

@@ -10,25 +10,35 @@
 #include "pxr/base/tf/token.h"
 #include "pxr/usd/sdf/path.h"
 
-#include <memory>
 #include <string>
+#include <vector>
 
 PXR_NAMESPACE_OPEN_SCOPE
 
 class HdBprim;
+class HdDriver;
 class HdInstancer;
 class HdRenderDelegate;
 class HdRprim;
 class HdSprim;
 
+using HdDriverVector = std::vector<HdDriver *>;
+
 /// All prims that a delegate has been asked to make, by path.
 ///
-/// Only look-ups are declared: a delegate neither makes an index nor puts prims into it.
+/// An application makes it and puts prims into it; for delegates there are look-ups. Its members
+/// are not declared.
 class HdRenderIndex final {
 public:
     HdRenderIndex() = delete;
     HdRenderIndex(HdRenderIndex const &) = delete;
     HdRenderIndex &operator=(HdRenderIndex const &) = delete;
+
+    HD_API static HdRenderIndex *New(HdRenderDelegate *renderDelegate,
+                                     HdDriverVector const &drivers,
+                                     std::string const &instanceName = std::string(),
+                                     std::string const &appName = std::string());
+    HD_API ~HdRenderIndex();
 
     HD_API HdRprim const *GetRprim(SdfPath const &id) const;
     HD_API HdSprim *GetSprim(TfToken const &typeId, SdfPath const &id) const;

@@ -31,6 +31,14 @@ public:
     HD_API virtual ~HdRenderPassState();
     HD_API virtual void Prepare(HdResourceRegistrySharedPtr const &resourceRegistry);
 
+    // Called by applications.
+    HD_API void SetCamera(HdCamera const *camera);
+    HD_API void SetFraming(CameraUtilFraming const &framing);
+    HD_API void SetViewport(GfVec4d const &viewport);
+    HD_API void SetOverrideWindowPolicy(
+        std::optional<CameraUtilConformWindowPolicy> const &overrideWindowPolicy);
+    HD_API void SetAovBindings(HdRenderPassAovBindingVector const &aovBindings);
+
     /// Null when an application gives matrices only; then the virtual getters below have them.
     HdCamera const *GetCamera() const { return _camera; }
 

@@ -54,6 +54,7 @@ public:
 
     SdfPath const &GetId() const { return _sharedData.rprimID; }
     int32_t GetPrimId() const { return _primId; }
+    HD_API void SetPrimId(int32_t primId);
     SdfPath const &GetInstancerId() const { return _instancerId; }
     SdfPath const &GetMaterialId() const { return _materialId; }
     HD_API void SetMaterialId(SdfPath const &materialId);
@@ -76,6 +77,7 @@ public:
         return d->GetPrimvarDescriptors(GetId(), i);
     }
 
+    HD_API void UpdateReprSelector(HdSceneDelegate *delegate, HdDirtyBits *dirtyBits);
     HD_API virtual void UpdateRenderTag(HdSceneDelegate *delegate, HdRenderParam *renderParam);
 
 protected:
@@ -87,6 +89,7 @@ protected:
     /// Called when a way of drawing is first asked for; it must then be among `_reprs`.
     virtual void _InitRepr(TfToken const &reprToken, HdDirtyBits *dirtyBits) = 0;
 
+    HD_API HdReprSharedPtr const &_GetRepr(TfToken const &reprToken) const;
     HD_API void _UpdateVisibility(HdSceneDelegate *sceneDelegate, HdDirtyBits *dirtyBits);
     HD_API void _UpdateInstancer(HdSceneDelegate *sceneDelegate, HdDirtyBits *dirtyBits);
 
