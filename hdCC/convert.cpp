@@ -90,9 +90,10 @@ bool HdCCToControlMesh(HdMeshTopology const &topology, PxOsdSubdivTags const &ta
     return true;
 }
 
-static bool _IsFinite(GfMatrix4d const &m) {
+/// False for what is not finite, and for what Gf gives as the inverse of a singular matrix.
+static bool _IsUsable(GfMatrix4d const &m) {
     for (int i = 0; i < 16; ++i) {
-        if (!std::isfinite(m.GetArray()[i])) {
+        if (!(std::fabs(m.GetArray()[i]) <= 1e18)) {
             return false;
         }
     }
@@ -101,16 +102,13 @@ static bool _IsFinite(GfMatrix4d const &m) {
 
 bool HdCCToCamera(GfMatrix4d const &worldToView, GfMatrix4d const &projection, float clipNear,
                   float clipFar, cc::Camera *camera) {
-    if (!_IsFinite(worldToView) || !_IsFinite(projection) || projection[0][0] == 0 ||
-        projection[1][1] == 0 || !(clipNear < clipFar) || !std::isfinite(clipFar)) {
+    const GfMatrix4d viewToWorld = worldToView.GetInverse();
+    if (!_IsUsable(worldToView) || !_IsUsable(viewToWorld) || !_IsUsable(projection) ||
+        projection[0][0] == 0 || projection[1][1] == 0 || !(clipNear < clipFar) ||
+        !std::isfinite(clipFar)) {
         return false;
     }
-    double determinant = 0;
-    camera->cameraToWorld = HdCCToTransform(worldToView.GetInverse(&determinant));
-    if (determinant == 0 || !std::isfinite(determinant)) {
-        return false;
-    }
-
+    camera->cameraToWorld = HdCCToTransform(viewToWorld);
     camera->orthographic = projection[2][3] == 0;
     // The projection takes (x, y, z) to (x p00 + z p20 + p30) / -z, or over 1 if orthographic:
     // the window is what comes out as -1 and 1 at z = -1.
@@ -123,7 +121,9 @@ bool HdCCToCamera(GfMatrix4d const &worldToView, GfMatrix4d const &projection, f
     // A perspective camera sees nothing at or behind its eye.
     camera->clipNear = camera->orthographic || clipNear > 0 ? clipNear : 1e-7f * clipFar;
     camera->clipFar = clipFar;
-    return camera->clipNear < clipFar;
+    return camera->clipNear < clipFar && std::isfinite(camera->windowLower.x) &&
+           std::isfinite(camera->windowLower.y) && std::isfinite(camera->windowUpper.x) &&
+           std::isfinite(camera->windowUpper.y);
 }
 
 PXR_NAMESPACE_CLOSE_SCOPE

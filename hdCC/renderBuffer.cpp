@@ -95,6 +95,11 @@ static bool _ReadTexel(VtValue const &value, _Texel *texel) {
            _ReadVector<GfVec4d>(value, texel);
 }
 
+static uint8_t const *_Plane(cc::Film const &film, cc::Aov aov) {
+    return cc::LayoutOf(aov).isInteger ? reinterpret_cast<uint8_t const *>(film.Ints(aov))
+                                       : reinterpret_cast<uint8_t const *>(film.Floats(aov));
+}
+
 static _Texel _FilmTexel(cc::Film const &film, cc::Aov aov, size_t pixel) {
     const cc::AovLayout layout = cc::LayoutOf(aov);
     _Texel texel{0, 0, 0, 1};
@@ -117,6 +122,19 @@ static _Texel _Over(cc::Film const &film, cc::Aov aov, size_t pixel, _Texel cons
     }
     const bool isBackground = film.Has(cc::Aov::PrimId) && film.Ints(cc::Aov::PrimId)[pixel] < 0;
     return isBackground ? clear : texel;
+}
+
+static HdFormat _FormatOf(cc::Aov aov) {
+    const cc::AovLayout layout = cc::LayoutOf(aov);
+    const HdFormat first = layout.isInteger ? HdFormatInt32 : HdFormatFloat32;
+    return HdFormat(int(first) + layout.components - 1);
+}
+
+/// Whether the clear value is what a new film holds, so that there is nothing to mix.
+static bool _IsBackground(cc::Aov aov, _Texel const &clear) {
+    const _Texel background = _FilmTexel(cc::Film(1, 1, {aov}), aov, 0);
+    const int components = cc::LayoutOf(aov).components;
+    return std::equal(background.begin(), background.begin() + components, clear.begin());
 }
 
 HdCCRenderBuffer::HdCCRenderBuffer(SdfPath const &id) : HdRenderBuffer(id) {}
@@ -177,14 +195,21 @@ void HdCCRenderBuffer::Clear(VtValue const &value) {
 void HdCCRenderBuffer::Write(cc::Film const &film, cc::Aov aov, GfVec2i const &corner,
                              VtValue const &clearValue) {
     _Texel clear;
-    const bool hasClear = _ReadTexel(clearValue, &clear);
+    const bool hasClear = _ReadTexel(clearValue, &clear) && !_IsBackground(aov, clear);
     const HdFormat componentFormat = HdGetComponentFormat(_format);
     const int count = int(HdGetComponentCount(_format));
     const size_t size = HdDataSizeOfFormat(_format);
 
     const int x0 = std::max(0, -corner[0]), x1 = std::min(film.Width(), int(_width) - corner[0]);
     const int y0 = std::max(0, -corner[1]), y1 = std::min(film.Height(), int(_height) - corner[1]);
+    const bool isPlainCopy = !hasClear && _format == _FormatOf(aov) && x0 < x1;
     for (int y = y0; y < y1; ++y) {
+        if (isPlainCopy) {
+            const size_t from = (size_t(y) * film.Width() + x0) * size;
+            const size_t to = (size_t(y + corner[1]) * _width + (x0 + corner[0])) * size;
+            std::memcpy(_pixels.data() + to, _Plane(film, aov) + from, (x1 - x0) * size);
+            continue;
+        }
         for (int x = x0; x < x1; ++x) {
             const size_t pixel = size_t(y) * film.Width() + x;
             const size_t at = size_t(y + corner[1]) * _width + (x + corner[0]);

@@ -7,10 +7,12 @@ from pathlib import Path
 import pytest
 
 _REPOSITORY = Path(__file__).resolve().parents[2]
-_BUILD = Path(os.environ.get("HDCC_BUILD_DIR", "build/release"))
-_RESOURCES = _REPOSITORY / _BUILD / "plugin/hdCC/resources"
 
-os.environ["PXR_PLUGINPATH_NAME"] = str(_RESOURCES)
+if "HDCC_BUILD_DIR" in os.environ or "PXR_PLUGINPATH_NAME" not in os.environ:
+    _build = _REPOSITORY / os.environ.get("HDCC_BUILD_DIR", "build/release")
+    os.environ["PXR_PLUGINPATH_NAME"] = str(_build / "plugin/hdCC/resources")
+
+_RESOURCES = Path(os.environ["PXR_PLUGINPATH_NAME"])
 
 
 def pytest_sessionstart() -> None:

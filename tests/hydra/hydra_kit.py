@@ -64,7 +64,10 @@ def add_mesh(
     mesh.CreatePointsAttr(points)
     mesh.CreateFaceVertexCountsAttr(counts)
     mesh.CreateFaceVertexIndicesAttr(indices)
+    if "displayColor" in attributes:
+        mesh.CreateDisplayColorAttr()
     for name, value in attributes.items():
+        name = "primvars:displayColor" if name == "displayColor" else name
         mesh.GetPrim().GetAttribute(name).Set(value)
     return mesh
 
@@ -174,21 +177,15 @@ def render(stage: Usd.Stage, **options: Any) -> Picture:
 
 
 def read_exr(path: Path) -> Picture:
-    """Planes by the names of AOVs: rows from the top, ids as int32."""
+    """Planes by the names of AOVs: rows from the top, ids as integers."""
     source = oiio.ImageInput.open(str(path))
     assert source, oiio.geterror()
     spec = source.spec()
     planes: dict[str, list[np.ndarray]] = {}
     for channel, name in enumerate(spec.channelnames):
         layer = "color" if name in "RGBA" else name.split(".")[0]
-        kind = str(spec.channelformat(channel))
-        values = source.read_image(
-            0, 0, channel, channel + 1, "uint32" if kind == "uint32" else "float"
-        )
-        values = np.asarray(values)[:, :, 0]
-        planes.setdefault(layer, []).append(
-            values.view(np.int32) if kind == "uint32" else values.astype(np.float32)
-        )
+        values = np.asarray(source.read_image(0, 0, channel, channel + 1, "float"))[:, :, 0]
+        planes.setdefault(layer, []).append(values.astype(int) if layer.endswith("Id") else values)
     source.close()
     return {name: np.squeeze(np.stack(parts, -1)) for name, parts in planes.items()}
 

@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 import pytest
 from hydra_kit import View, add_camera, add_cube, add_grid, make_stage, render
-from pxr import Gf, UsdGeom
+from pxr import CameraUtil, Gf, UsdGeom
 
 BACKGROUND = {
     "color": 0,
@@ -91,11 +91,13 @@ def test_sphere_like_surface() -> None:
     add_cube(stage, half=1.5)
     picture = render(stage)
     hit = picture["primId"] >= 0
-    # The limit of a cube is far inside it, symmetric, and its centre faces the camera.
+    # The limit of a cube is far inside it, and symmetric.
     assert 200 < hit.sum() < 500
     assert (hit == hit[::-1]).all() and (hit == hit[:, ::-1]).all()
     assert np.allclose(np.linalg.norm(picture["normal"][hit], axis=-1), 1, atol=2e-3)
-    assert set(np.unique(picture["elementId"][hit])) == {1}
+    # Face 1 faces the camera, and face 0 faces away.
+    assert picture["elementId"][16, 16] == 1
+    assert set(np.unique(picture["elementId"][hit])) == {1, 2, 3, 4, 5}
 
 
 def test_prim_ids_tell_prims_apart() -> None:
@@ -158,15 +160,26 @@ def test_data_window_beyond_the_buffer_is_cropped() -> None:
     assert (view.render()["primId"] == whole["primId"]).all()
 
 
-@pytest.mark.parametrize("size", [(32, 16), (16, 32)])
-def test_window_policy_keeps_proportions(size: tuple[int, int]) -> None:
+@pytest.mark.parametrize(
+    ("policy", "size", "seen"),
+    [
+        (CameraUtil.Fit, (32, 16), (16, 16)),
+        (CameraUtil.Fit, (16, 32), (16, 16)),
+        (CameraUtil.Crop, (32, 16), (32, 16)),
+        (CameraUtil.MatchHorizontally, (32, 16), (32, 16)),
+        (CameraUtil.MatchHorizontally, (16, 32), (16, 16)),
+        (CameraUtil.MatchVertically, (16, 32), (16, 32)),
+        (CameraUtil.DontConform, (32, 16), (32, 16)),
+    ],
+    ids=str,
+)
+def test_window_policy(policy: Any, size: tuple[int, int], seen: tuple[int, int]) -> None:
     stage = make_stage()
     add_grid(stage)
-    ids = render(stage, size=size)["primId"]
-    # Fit: the whole of the camera's square is seen, with room beside it.
-    assert (ids >= 0).sum() == 16 * 16
-    rows, columns = np.nonzero(ids >= 0)
-    assert np.ptp(rows) == np.ptp(columns) == 15
+    view = View(stage, size=size)
+    view.engine.SetWindowPolicy(policy)
+    rows, columns = np.nonzero(view.render()["primId"] >= 0)
+    assert (np.ptp(columns) + 1, np.ptp(rows) + 1) == seen
 
 
 def test_free_camera() -> None:

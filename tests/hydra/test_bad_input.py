@@ -181,15 +181,6 @@ def test_bad_color_is_ignored(name: str, warnings: Any) -> None:
     assert "/Good" in warnings.read()
 
 
-def test_color_of_another_type_is_ignored(warnings: Any) -> None:
-    expected = render(make_good_stage())
-    stage = make_good_stage()
-    primvars = UsdGeom.PrimvarsAPI(stage.GetPrimAtPath("/Good"))
-    primvars.CreatePrimvar("displayColor", Sdf.ValueTypeNames.FloatArray, "constant").Set([1.0])
-    assert_same(render(stage), expected)
-    assert "/Good" in warnings.read()
-
-
 @pytest.mark.parametrize("scale", [0.0, NAN, INF])
 def test_broken_transform_leaves_the_mesh_out(scale: float, warnings: Any) -> None:
     stage = make_good_stage()

@@ -22,6 +22,7 @@ Edit = Callable[[Usd.Stage], None]
 
 def make_scene() -> Usd.Stage:
     stage = make_stage()
+    UsdGeom.Xform.Define(stage, "/World")
     add_grid(stage, "/World/Grid", bump=0.4).AddTranslateOp().Set(Gf.Vec3d(0, 0, -1))
     add_cube(stage, "/World/Cube")
     return stage
@@ -40,7 +41,7 @@ def move_prim(stage: Usd.Stage) -> None:
 
 
 def turn_parent(stage: Usd.Stage) -> None:
-    UsdGeom.Xformable(stage.OverridePrim("/World")).AddRotateZOp().Set(20.0)
+    UsdGeom.Xformable(stage.GetPrimAtPath("/World")).AddRotateZOp().Set(20.0)
 
 
 def hide(stage: Usd.Stage) -> None:

@@ -1,7 +1,10 @@
 """The plugin as applications see it: its name, settings, commands and statistics."""
 
+import os
 import subprocess
 import sys
+import threading
+import time
 from pathlib import Path
 from typing import Any
 
@@ -222,6 +225,29 @@ def test_stats() -> None:
     assert stats["packet"]["traversals"] > 0
 
 
+def test_progress_can_be_asked_from_another_thread() -> None:
+    stage = make_stage()
+    add_grid(stage, bump=0.5)
+    view = View(stage, size=(512, 512), samples=64)
+    fractions: list[float] = []
+    rendering = threading.Event()
+    rendering.set()
+
+    def poll() -> None:
+        while rendering.is_set():
+            fractions.append(view.engine.GetRenderStats()["fractionDone"])
+            time.sleep(0.002)
+
+    thread = threading.Thread(target=poll)
+    thread.start()
+    view.execute()
+    rendering.clear()
+    thread.join()
+    assert fractions == sorted(fractions)
+    assert len([f for f in fractions if 0 < f < 1]) >= 2
+    assert view.engine.GetRenderStats()["fractionDone"] == 1
+
+
 def test_tracers_agree() -> None:
     stage = make_stage()
     add_cube(stage)
@@ -237,8 +263,6 @@ def test_needs_no_gpu_and_no_display() -> None:
     )
     environment = {"PATH": "/usr/bin:/bin"}
     folder = Path(__file__).parent
-    import os
-
     for name in ("PXR_PLUGINPATH_NAME", "PYTHONPATH", "LD_LIBRARY_PATH"):
         if name in os.environ:
             environment[name] = os.environ[name]
