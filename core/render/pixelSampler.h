@@ -8,19 +8,21 @@
 namespace cc {
 
 /// Where in a pixel its samples lie, each coordinate in [0, 1). Sample 0 is the centre. All
-/// together are Roberts' R2 sequence, which spreads evenly however many samples are taken; each
-/// pixel mirrors and transposes it at random about the centre, so that neighbours do not alias
-/// alike.
+/// together are a lattice after Fibonacci: a coordinate steps evenly, the other by the golden
+/// ratio. Each pixel mirrors and transposes it at random about the centre, so that neighbours do
+/// not alias alike.
 class PixelSampler {
   public:
-    PixelSampler(int x, int y, int seed)
-        : _bits(Hash(static_cast<uint32_t>(x) +
+    /// @param count  samples that the pixel gets, 1 or more
+    PixelSampler(int x, int y, int seed, int count)
+        : _step(1.0 / count),
+          _bits(Hash(static_cast<uint32_t>(x) +
                      Hash(static_cast<uint32_t>(y) + Hash(static_cast<uint32_t>(seed))))) {}
 
     Vec2f Sample(int index) const {
-        // Powers of 1 / 1.3247..., the plastic number.
-        double x = std::fmod(index * 0.7548776662466927, 1.0);
-        double y = std::fmod(index * 0.5698402909980532, 1.0);
+        constexpr double kGoldenRatio = 0.6180339887498949;
+        double x = index * _step;
+        double y = std::fmod(index * kGoldenRatio, 1.0);
         x = _bits & 1 ? -x : x;
         y = _bits & 2 ? -y : y;
         return _bits & 4 ? Vec2f{AboutCenter(y), AboutCenter(x)}
@@ -44,6 +46,7 @@ class PixelSampler {
         return wrapped < 1 ? wrapped : 0;
     }
 
+    double _step;
     uint32_t _bits;
 };
 

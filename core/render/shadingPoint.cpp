@@ -28,7 +28,10 @@ LimitPoint LimitAtHit(const Instance& instance, const HitPacket& hits, int lane)
 
 /// Normal of the traced quad that a point of a patch lies on, in object space and of any length.
 Vec3f QuadNormal(const Surface& surface, uint32_t patch, float u, float v, int level) {
-    const int quads = 1 << std::max(level - surface.Patches().At(patch).depth, 0);
+    // As tracers do: a mesh that is refined deeper than the level is traced at that depth.
+    const int splits =
+        std::max(level, surface.Patches().MaxDepth()) - surface.Patches().At(patch).depth;
+    const int quads = 1 << splits;
     const float size = 1 / static_cast<float>(quads);
     const float u0 = std::min(std::floor(u * quads), quads - 1.0f) * size;
     const float v0 = std::min(std::floor(v * quads), quads - 1.0f) * size;

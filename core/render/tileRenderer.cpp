@@ -81,7 +81,7 @@ void TileRenderer::_TraceSample(const Tile& tile, int index, Sample* sample,
     sample->rays.count = tile.width * tile.height;
     for (int lane = 0; lane < sample->rays.count; ++lane) {
         const int x = tile.x + lane % tile.width, y = tile.y + lane / tile.width;
-        const Vec2f inPixel = PixelSampler(x, y, _options.seed).Sample(index);
+        const Vec2f inPixel = PixelSampler(x, y, _options.seed, _options.samples).Sample(index);
         _camera.SetRay(double(x) + inPixel.x, double(y) + inPixel.y, lane, &sample->rays);
     }
     _Intersect(&sample->rays, &sample->hits, statistics);
