@@ -57,6 +57,10 @@ OCIO::ConstCPUProcessorRcPtr MakeProcessor(const OpenColorIOOptions& options) {
         options.colorSpace.empty() ? FindSourceSpace(*config) : options.colorSpace;
     const std::string view =
         options.view.empty() ? config->getDefaultView(display.c_str()) : options.view;
+    if (view.empty()) {
+        const std::string reason = "display '" + display + "' has no views";
+        throw OCIO::Exception(reason.c_str());
+    }
 
     const OCIO::DisplayViewTransformRcPtr transform = OCIO::DisplayViewTransform::Create();
     transform->setSrc(source.c_str());
