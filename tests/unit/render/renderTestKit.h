@@ -1,0 +1,63 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/render/renderer.h"
+#include "core/scene/scene.h"
+#include "tests/unit/subdiv/testCages.h"
+
+namespace cc::test {
+
+inline AffineTransform Placed(double scale, double x, double y, double z) {
+    return AffineTransform({{{scale, 0, 0, x}, {0, scale, 0, y}, {0, 0, scale, z}}});
+}
+
+inline Mesh* AddCage(Scene* scene, const std::string& name, const Cage& cage) {
+    Mesh* mesh = scene->AddMesh(name);
+    mesh->SetTopology(cage.mesh);
+    mesh->SetPoints(cage.points);
+    mesh->SetPrimId(0);
+    return mesh;
+}
+
+inline Primvar3f ConstantColor(const Vec3f& color) {
+    return {Interpolation::Constant, {color}, {}};
+}
+
+/// A flat square of one bilinear face in the xy plane that faces +z, from -1 to 1.
+inline Cage Square() {
+    Cage cage;
+    cage.name = "square";
+    cage.mesh.scheme = Scheme::Bilinear;
+    cage.mesh.faceVertexCounts = {4};
+    cage.mesh.faceVertexIndices = {0, 1, 2, 3};
+    cage.points = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
+    return cage;
+}
+
+/// A cage with its faces turned round.
+inline Cage Reversed(Cage cage) {
+    size_t first = 0;
+    for (const int count : cage.mesh.faceVertexCounts) {
+        const auto begin = cage.mesh.faceVertexIndices.begin() + first;
+        std::vector<int> reversed(std::make_reverse_iterator(begin + count),
+                                  std::make_reverse_iterator(begin));
+        std::copy(reversed.begin(), reversed.end(), begin);
+        first += count;
+    }
+    return cage;
+}
+
+/// A camera on the z axis that looks at the origin; the window is 1 high and wide at distance 2.
+inline Camera CameraAt(double z) {
+    Camera camera;
+    camera.cameraToWorld = Placed(1, 0, 0, z);
+    camera.windowLower = {-0.5f, -0.5f};
+    camera.windowUpper = {0.5f, 0.5f};
+    camera.clipNear = 0.1f;
+    camera.clipFar = 100;
+    return camera;
+}
+
+}  // namespace cc::test

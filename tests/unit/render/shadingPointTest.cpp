@@ -1,0 +1,177 @@
+#include "core/render/shadingPoint.h"
+
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "core/trace/tracer.h"
+#include "tests/unit/render/renderTestKit.h"
+
+namespace cc::test {
+namespace {
+
+struct Traced {
+    RayPacket rays;
+    HitPacket hits;
+    TraceStatistics statistics;
+
+    void Trace(const Scene& scene, int level) {
+        MakeTracer(TracerKind::Packet, level)
+            ->Intersect(scene.Instances(), &rays, &hits, &statistics);
+    }
+    bool IsHit(int lane) const { return hits.instance[lane] != kNoHit; }
+    Vec3f Direction(int lane) const {
+        return {rays.directionX[lane], rays.directionY[lane], rays.directionZ[lane]};
+    }
+};
+
+/// Parallel rays along -z over a square around a centre.
+Traced RaysDown(const Vec3f& center, float size, std::mt19937* random) {
+    Traced traced;
+    traced.rays.count = kPacketSize;
+    std::uniform_real_distribution<float> jitter(-0.5f, 0.5f);
+    for (int i = 0; i < kPacketSize; ++i) {
+        traced.rays.originX[i] = center.x + size * jitter(*random);
+        traced.rays.originY[i] = center.y + size * jitter(*random);
+        traced.rays.originZ[i] = center.z + 10;
+        traced.rays.directionX[i] = traced.rays.directionY[i] = 0;
+        traced.rays.directionZ[i] = -1;
+        traced.rays.tMin[i] = 0;
+        traced.rays.tMax[i] = 100;
+    }
+    return traced;
+}
+
+/// Share of points whose light is blocked although it shines on the convex limit surface.
+double BlockedShare(const Scene& scene, const Vec3f& center, float size, int level,
+                    const Vec3f& towardsLight) {
+    std::mt19937 random(1);
+    int lit = 0, blocked = 0;
+    for (int packet = 0; packet < 50; ++packet) {
+        Traced traced = RaysDown(center, size, &random);
+        traced.Trace(scene, level);
+        RayPacket shadow;
+        for (int i = 0; i < kPacketSize; ++i) {
+            if (!traced.IsHit(i)) {
+                continue;
+            }
+            const Instance& instance = scene.Instances().Instances()[traced.hits.instance[i]];
+            const ShadingPoint point =
+                MakeShadingPoint(instance, traced.rays, traced.hits, i, level);
+            if (Dot(point.normal, towardsLight) > 0) {
+                const int lane = shadow.count++;
+                shadow.originX[lane] = point.rayOrigin.x;
+                shadow.originY[lane] = point.rayOrigin.y;
+                shadow.originZ[lane] = point.rayOrigin.z;
+                shadow.directionX[lane] = towardsLight.x;
+                shadow.directionY[lane] = towardsLight.y;
+                shadow.directionZ[lane] = towardsLight.z;
+                shadow.tMin[lane] = 0;
+                shadow.tMax[lane] = 1e4f;
+            }
+        }
+        const uint64_t occluded = MakeTracer(TracerKind::Packet, level)
+                                      ->Occluded(scene.Instances(), shadow, &traced.statistics);
+        lit += shadow.count;
+        for (int i = 0; i < shadow.count; ++i) {
+            blocked += occluded >> i & 1;
+        }
+    }
+    EXPECT_GT(lit, 300);
+    return blocked / double(lit);
+}
+
+TEST(ShadingPoint, ConvexSurfacesDoNotShadowThemselves) {
+    for (const double offset : {0.0, 1000.0}) {
+        Scene scene;
+        AddCage(&scene, "/cube", Cube())->SetTransform(Placed(1, offset, 0, -offset));
+        scene.Build({"geometry"});
+        const Vec3f center{float(offset), 0, float(-offset)};
+        for (const int level : {0, 2, 4, 6}) {
+            for (const Vec3f& light :
+                 {Vec3f{0.3f, 0.2f, 1}, Vec3f{1, 0.3f, 0.1f}, Vec3f{-1, 0.5f, -0.4f}}) {
+                EXPECT_LT(BlockedShare(scene, center, 2, level, Normalize(light)), 1e-3)
+                    << "level " << level << " offset " << offset << " light " << light.x;
+            }
+        }
+    }
+}
+
+TEST(ShadingPoint, HollowSurfacesAreLitFromAbove) {
+    // A bowl: the inner side of the lower half of a cube, seen and lit from above.
+    Scene scene;
+    Cage bowl = Cube();
+    for (int face = 0; face < 6; ++face) {
+        float z = 0;
+        for (int i = 0; i < 4; ++i) {
+            z += bowl.points[bowl.mesh.faceVertexIndices[4 * face + i]].z;
+        }
+        if (z > 3) {
+            bowl.mesh.holeIndices = {face};
+        }
+    }
+    AddCage(&scene, "/bowl", bowl);
+    scene.Build({"geometry"});
+    for (const int level : {0, 2, 4, 6}) {
+        EXPECT_EQ(BlockedShare(scene, {}, 0.6f, level, Vec3f{0, 0, 1}), 0) << level;
+    }
+}
+
+TEST(ShadingPoint, ThereAreStillShadows) {
+    Scene scene;
+    AddCage(&scene, "/floor", Square())->SetTransform(Placed(4, 0, 0, 0));
+    AddCage(&scene, "/roof", Square())->SetTransform(Placed(1, 3, 0, 1e-3));
+    scene.Build({"geometry"});
+    // The light comes over the roof, which lies close above the floor.
+    EXPECT_GT(BlockedShare(scene, {0, 0, 0}, 2, 3, Normalize({3, 0, 1e-3f})), 0.7);
+    EXPECT_EQ(BlockedShare(scene, {0, 0, 0}, 2, 3, Normalize({-3, 0, 1e-2f})), 0);
+}
+
+TEST(ShadingPoint, NormalsFaceTheViewer) {
+    std::mt19937 random(2);
+    for (const bool reversed : {false, true}) {
+        for (const double mirror : {1.0, -1.0}) {
+            Scene scene;
+            AddCage(&scene, "/square", reversed ? Reversed(Square()) : Square())
+                ->SetTransform(AffineTransform({{{mirror, 0, 0, 0}, {0, 2, 0, 0}, {0, 0, 1, 3}}}));
+            scene.Build({"geometry"});
+            Traced traced = RaysDown({}, 1, &random);
+            traced.Trace(scene, 2);
+            for (int i = 0; i < kPacketSize; ++i) {
+                ASSERT_TRUE(traced.IsHit(i));
+                const Instance& instance = scene.Instances().Instances()[0];
+                const ShadingPoint point =
+                    MakeShadingPoint(instance, traced.rays, traced.hits, i, 2);
+                EXPECT_NEAR(point.normal.z, 1, 1e-6f);
+                EXPECT_NEAR(point.position.z, 3, 1e-6f);
+                EXPECT_EQ(IsHitFromBehind(instance, traced.rays, traced.hits, i, 2), reversed);
+            }
+        }
+    }
+}
+
+TEST(ShadingPoint, ClosedSurfacesAreNeverHitFromBehind) {
+    Scene scene;
+    AddCage(&scene, "/torus", Torus(7, 5));
+    scene.Build({"geometry"});
+    std::mt19937 random(3);
+    for (const int level : {0, 1, 3}) {
+        int hits = 0;
+        for (int packet = 0; packet < 100; ++packet) {
+            Traced traced = RaysDown(scene.Instances().Bounds().Center(), 6, &random);
+            traced.Trace(scene, level);
+            for (int i = 0; i < kPacketSize; ++i) {
+                if (traced.IsHit(i)) {
+                    ++hits;
+                    EXPECT_FALSE(IsHitFromBehind(scene.Instances().Instances()[0], traced.rays,
+                                                 traced.hits, i, level))
+                        << level;
+                }
+            }
+        }
+        EXPECT_GT(hits, 1000);
+    }
+}
+
+}  // namespace
+}  // namespace cc::test
