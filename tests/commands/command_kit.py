@@ -6,7 +6,11 @@ ROOT = Path(__file__).resolve().parents[2]
 
 #: A cube whose side towards the camera is a hole: one sees the inside of the far side through it.
 CUBE = """#usda 1.0
-( upAxis = "Y"  startTimeCode = 1  endTimeCode = 3 )
+(
+    upAxis = "Y"
+    startTimeCode = 1
+    endTimeCode = 3
+)
 
 def Xform "World"
 {

@@ -93,4 +93,9 @@ def _reported_progress(recorder: Recorder, fd: int, done: int, count: int) -> It
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    exit_code = main()
+    sys.stdout.flush()
+    sys.stderr.flush()
+    # Pictures are on the disk. Taking OpenUSD's libraries down would cost time, and their threads
+    # now and then abort the process while they end.
+    os._exit(exit_code)
