@@ -77,7 +77,7 @@ double BlockedShare(const Scene& scene, const Vec3f& center, float size, int lev
             blocked += occluded >> i & 1;
         }
     }
-    EXPECT_GT(lit, 300);
+    EXPECT_GT(lit, 100);
     return blocked / double(lit);
 }
 
