@@ -5,11 +5,11 @@
 
 PXR_NAMESPACE_OPEN_SCOPE
 
-#define POLYMORPHIC(CLASS)                      \
-    class Abi##CLASS : public CLASS {           \
-        ~Abi##CLASS() override;                 \
-    };                                          \
-    Abi##CLASS::~Abi##CLASS() {}                \
+#define POLYMORPHIC(CLASS)            \
+    class Abi##CLASS : public CLASS { \
+        ~Abi##CLASS() override;       \
+    };                                \
+    Abi##CLASS::~Abi##CLASS() {}      \
     char abiSize##CLASS[sizeof(CLASS)] = {1};
 
 POLYMORPHIC(HdBprim)

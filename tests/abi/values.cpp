@@ -27,7 +27,7 @@ TfToken token(char const *text) { return TfToken(text); }
 
 /// Supports nothing, so that an index needs no prims of it.
 class Delegate : public HdRenderDelegate {
-public:
+  public:
     Delegate() = default;
     Delegate(HdRenderSettingsMap const &settings) : HdRenderDelegate(settings) {}
     TfTokenVector const &GetSupportedRprimTypes() const override { return _none; }
@@ -55,13 +55,13 @@ public:
     HdRenderSettingsMap const &settings() const { return _settingsMap; }
     unsigned int version() const { return _settingsVersion; }
 
-private:
+  private:
     TfTokenVector _none;
 };
 
 /// Answers with values that no two questions share.
 class Scene : public HdSceneDelegate {
-public:
+  public:
     Scene() : HdSceneDelegate(index(), SdfPath("/delegate")) {}
 
     static HdRenderIndex *index() {
@@ -197,7 +197,7 @@ void checkCamera() {
 }
 
 class Mesh : public HdMesh {
-public:
+  public:
     Mesh(SdfPath const &id) : HdMesh(id) {}
     HdDirtyBits GetInitialDirtyBitsMask() const override { return HdChangeTracker::AllDirty; }
     void Sync(HdSceneDelegate *, HdRenderParam *, HdDirtyBits *, TfToken const &) override {}
@@ -239,16 +239,16 @@ void checkMesh() {
 }
 
 class Light : public HdLight {
-public:
+  public:
     using HdLight::HdLight;
     void Sync(HdSceneDelegate *, HdRenderParam *, HdDirtyBits *) override {}
     HdDirtyBits GetInitialDirtyBitsMask() const override { return AllDirty; }
 };
 
 class Instancer : public HdInstancer {
-public:
-    using HdInstancer::HdInstancer;
+  public:
     using HdInstancer::_UpdateInstancer;
+    using HdInstancer::HdInstancer;
 };
 
 void checkInstancing() {
@@ -268,7 +268,7 @@ void checkInstancing() {
 }
 
 class Pass : public HdRenderPass {
-public:
+  public:
     using HdRenderPass::HdRenderPass;
     void _Execute(HdRenderPassStateSharedPtr const &, TfTokenVector const &) override {}
 };
@@ -333,8 +333,8 @@ void checkTopology() {
                                token("triangleRule"), {1, 2}, {2}, {3.5f}, {3}, {4.5f});
     EXPECT(prints(tags, {"vertexRule", "fvarRule", "creaseMethod", "triangleRule", "1, 2", "2",
                          "3.5", "3", "4.5"}));
-    PxOsdMeshTopology const osd(token("loop"), token("leftHanded"), {3, 3}, {0, 1, 2, 2, 1, 3},
-                                {1}, tags);
+    PxOsdMeshTopology const osd(token("loop"), token("leftHanded"), {3, 3}, {0, 1, 2, 2, 1, 3}, {1},
+                                tags);
     EXPECT(osd.GetScheme() == token("loop"));
     EXPECT(osd.GetOrientation() == token("leftHanded"));
     EXPECT((osd.GetFaceVertexCounts() == VtIntArray{3, 3}));
@@ -356,7 +356,7 @@ void checkTopology() {
 
 /// Members of a topology that only an application sets.
 class FilledTopology : public HdMeshTopology {
-public:
+  public:
     FilledTopology() : HdMeshTopology(PxOsdMeshTopology(), 0) {
         HdGeomSubset subset{HdGeomSubset::TypeFaceSet, SdfPath("/a"), SdfPath("/b"), {1, 2}};
         _geomSubsets = {subset, subset};
@@ -477,15 +477,14 @@ void checkDirtyBits() {
             problems << named.name << " is called " << text << '\n';
     }
 
-    EXPECT(HdExtComputation(SdfPath("/x")).GetInitialDirtyBitsMask() ==
-           HdExtComputation::AllDirty);
-    for (auto const &[bit, name] : std::map<HdDirtyBits, std::string>{
-             {HdLight::DirtyTransform, "Transform"},
-             {HdLight::DirtyParams, "Params"},
-             {HdLight::DirtyShadowParams, "ShadowParams"},
-             {HdLight::DirtyCollection, "Collection"},
-             {HdLight::DirtyResource, "Resource"},
-             {HdLight::DirtyInstancer, "Instancer"}}) {
+    EXPECT(HdExtComputation(SdfPath("/x")).GetInitialDirtyBitsMask() == HdExtComputation::AllDirty);
+    for (auto const &[bit, name] :
+         std::map<HdDirtyBits, std::string>{{HdLight::DirtyTransform, "Transform"},
+                                            {HdLight::DirtyParams, "Params"},
+                                            {HdLight::DirtyShadowParams, "ShadowParams"},
+                                            {HdLight::DirtyCollection, "Collection"},
+                                            {HdLight::DirtyResource, "Resource"},
+                                            {HdLight::DirtyInstancer, "Instancer"}}) {
         std::string const text = HdLight::StringifyDirtyBits(bit);
         if (text.find(name) == std::string::npos)
             problems << "light bit " << name << " is called " << text << '\n';
@@ -493,10 +492,9 @@ void checkDirtyBits() {
 }
 
 void checkEnums() {
-#define NAMED(ENUMERATOR)                                                    \
-    if (TfEnum::GetName(TfEnum(ENUMERATOR)) != #ENUMERATOR)                  \
-        problems << #ENUMERATOR << " is called "                             \
-                 << TfEnum::GetName(TfEnum(ENUMERATOR)) << '\n';
+#define NAMED(ENUMERATOR)                                   \
+    if (TfEnum::GetName(TfEnum(ENUMERATOR)) != #ENUMERATOR) \
+        problems << #ENUMERATOR << " is called " << TfEnum::GetName(TfEnum(ENUMERATOR)) << '\n';
 #include "enumerators.inc"
 #undef NAMED
     EXPECT(HdInvertCullStyle(HdCullStyleNothing) == HdCullStyleNothing);

@@ -58,6 +58,9 @@ TEMPLATE_VALUES = {
 
 Report = Callable[[str], None]
 
+# A step's result is what is wanted; or complete, but of other inputs; or not there as a whole.
+CURRENT, CHANGED, INCOMPLETE = "current", "changed", "incomplete"
+
 
 class SetupError(Exception):
     """Says in a few lines why there is no SDK, and what to do."""
@@ -116,20 +119,26 @@ def check_python() -> None:
 def make_environment(sdk: Sdk, report: Report) -> None:
     """Makes the virtual environment, with all tools but without the runtime."""
     requirements = INPUTS / "requirements-tools.txt"
-    with step(sdk, "venv", [requirements], sdk.venv, sys.version) as needed:
-        if needed:
+    with step(sdk, "venv", [requirements], sdk.venv, sys.version) as state:
+        if state != CURRENT:
             report("making the virtual environment")
-            shutil.rmtree(sdk.venv, ignore_errors=True)
-            run([sys.executable, "-m", "venv", str(sdk.venv)])
+            # Others may be using a complete one, and changed packages can replace older ones.
+            if state == INCOMPLETE or not is_of_this_python(sdk.venv):
+                (sdk.folder / "stamp-runtime").unlink(missing_ok=True)
+                shutil.rmtree(sdk.venv, ignore_errors=True)
+                run([sys.executable, "-m", "venv", str(sdk.venv)])
             pip(sdk, "install", "--no-compile", "-r", str(requirements))
 
 
 def install_runtime(sdk: Sdk, report: Report) -> None:
     """Installs the runtime, and lets Python find its modules."""
     requirements = INPUTS / "requirements-runtime.txt"
-    with step(sdk, "runtime", [requirements], sdk.runtime, stamp_of(sdk, "venv")) as needed:
-        if needed:
+    with step(sdk, "runtime", [requirements], sdk.runtime) as state:
+        if state != CURRENT:
             report("installing the runtime (a download of 380 MB)")
+            if state == INCOMPLETE:
+                for leftover in sdk.site_packages.glob("bpy*"):
+                    shutil.rmtree(leftover)
             pip(sdk, "install", "--no-compile", "--no-cache-dir", "-r", str(requirements))
             modules = "bpy/5.0/python/lib/python3.11/site-packages"
             (sdk.site_packages / "hdcc-runtime.pth").write_text(modules + "\n")
@@ -138,8 +147,8 @@ def install_runtime(sdk: Sdk, report: Report) -> None:
 def install_usd_core(sdk: Sdk, report: Report) -> None:
     """Makes a second virtual environment for the other OpenUSD."""
     requirements = INPUTS / "requirements-usd-core.txt"
-    with step(sdk, "usd-core", [requirements], sdk.usd_core, sys.version) as needed:
-        if needed:
+    with step(sdk, "usd-core", [requirements], sdk.usd_core, sys.version) as state:
+        if state != CURRENT:
             report("installing usd-core")
             shutil.rmtree(sdk.usd_core, ignore_errors=True)
             run([sys.executable, "-m", "venv", "--without-pip", str(sdk.usd_core)])
@@ -151,8 +160,8 @@ def unpack_headers(sdk: Sdk, report: Report) -> None:
     """Takes the headers out of the packages that have them."""
     requirements = INPUTS / "requirements-headers.txt"
     target = sdk.folder / "headers"
-    with step(sdk, "headers", [requirements, Path(__file__)], target) as needed:
-        if needed:
+    with step(sdk, "headers", [requirements, Path(__file__)], target) as state:
+        if state != CURRENT:
             report("unpacking headers")
             with replaced(target) as fresh, downloads(sdk, requirements) as wheels:
                 for wheel in wheels:
@@ -165,10 +174,10 @@ def unpack_sources(sdk: Sdk, report: Report) -> None:
     """Takes the headers out of the source archives, and fills in their templates."""
     requirements = INPUTS / "requirements-sources.txt"
     target = sdk.folder / "source-headers"
-    with step(sdk, "sources", [requirements, Path(__file__)], target) as needed:
-        if needed:
+    with step(sdk, "sources", [requirements, Path(__file__)], target) as state:
+        if state != CURRENT:
             report("unpacking OpenImageIO's and OpenColorIO's headers")
-            with replaced(target) as fresh, downloads(sdk, requirements) as archives:
+            with replaced(target) as fresh, source_downloads(sdk, requirements) as archives:
                 for archive in archives:
                     unpack_archive_headers(archive, fresh)
                 # OpenImageIO includes fmt as a part of itself; Debian's will do.
@@ -297,9 +306,18 @@ def pip(sdk: Sdk, *arguments: str) -> str:
 
 @contextmanager
 def downloads(sdk: Sdk, requirements: Path) -> Iterator[list[Path]]:
-    """Gives the files that a list of requirements names, for as long as they are wanted."""
+    """Gives the wheels that a list of requirements names, for as long as they are wanted."""
     with tempfile.TemporaryDirectory(dir=sdk.folder, prefix="downloads-") as folder:
-        pip(sdk, "download", "--no-build-isolation", "--dest", folder, "-r", str(requirements))
+        pip(sdk, "download", "--only-binary", ":all:", "--dest", folder, "-r", str(requirements))
+        yield sorted(Path(folder).iterdir())
+
+
+@contextmanager
+def source_downloads(sdk: Sdk, requirements: Path) -> Iterator[list[Path]]:
+    """Gives the source archives that a list of requirements names."""
+    with tempfile.TemporaryDirectory(dir=sdk.folder, prefix="downloads-") as folder:
+        fetch = Path(__file__).with_name("sdk_fetch.py")
+        run([str(sdk.python), str(fetch), str(requirements), folder])
         yield sorted(Path(folder).iterdir())
 
 
@@ -307,21 +325,22 @@ def downloads(sdk: Sdk, requirements: Path) -> Iterator[list[Path]]:
 
 
 @contextmanager
-def step(sdk: Sdk, name: str, inputs: Iterable[Path], result: Path, *more: str) -> Iterator[bool]:
-    """Says whether a step is needed, and stamps it if its block ends well."""
+def step(sdk: Sdk, name: str, inputs: Iterable[Path], result: Path, *more: str) -> Iterator[str]:
+    """Says in which state a step's result is, and stamps it if its block ends well."""
     stamp = sdk.folder / f"stamp-{name}"
     wanted = fingerprint(list(inputs), str(sdk.folder), *more)
-    if result.exists() and stamp.exists() and stamp.read_text() == wanted:
-        yield False
+    found = stamp.read_text() if stamp.exists() and result.exists() else None
+    if found == wanted:
+        yield CURRENT
         return
     stamp.unlink(missing_ok=True)
-    yield True
+    yield INCOMPLETE if found is None else CHANGED
     stamp.write_text(wanted)
 
 
-def stamp_of(sdk: Sdk, name: str) -> str:
-    """A step's stamp, for a step that has to be done again after it."""
-    return (sdk.folder / f"stamp-{name}").read_text()
+def is_of_this_python(venv: Path) -> bool:
+    """True if a virtual environment was made by the Python that runs this."""
+    return f"version = {sys.version.split()[0]}\n" in (venv / "pyvenv.cfg").read_text()
 
 
 @contextmanager

@@ -1,8 +1,8 @@
 #ifndef PXR_IMAGING_CAMERA_UTIL_CONFORM_WINDOW_H
 #define PXR_IMAGING_CAMERA_UTIL_CONFORM_WINDOW_H
 
-#include "pxr/pxr.h"
 #include "pxr/imaging/cameraUtil/api.h"
+#include "pxr/pxr.h"
 
 PXR_NAMESPACE_OPEN_SCOPE
 

@@ -1,19 +1,19 @@
 #ifndef PXR_IMAGING_CAMERA_UTIL_FRAMING_H
 #define PXR_IMAGING_CAMERA_UTIL_FRAMING_H
 
-#include "pxr/pxr.h"
-#include "pxr/imaging/cameraUtil/api.h"
-#include "pxr/imaging/cameraUtil/conformWindow.h"
 #include "pxr/base/gf/matrix4d.h"
 #include "pxr/base/gf/range2f.h"
 #include "pxr/base/gf/rect2i.h"
+#include "pxr/imaging/cameraUtil/api.h"
+#include "pxr/imaging/cameraUtil/conformWindow.h"
+#include "pxr/pxr.h"
 
 PXR_NAMESPACE_OPEN_SCOPE
 
 /// Where a camera's picture lies in a buffer: the window that the camera fills, and the pixels of
 /// it that are wanted. The y axis of both points down.
 class CameraUtilFraming final {
-public:
+  public:
     CAMERAUTIL_API CameraUtilFraming();
     CAMERAUTIL_API CameraUtilFraming(GfRange2f const &displayWindow, GfRect2i const &dataWindow,
                                      float pixelAspectRatio = 1.0f);

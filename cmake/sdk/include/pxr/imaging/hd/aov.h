@@ -1,13 +1,13 @@
 #ifndef PXR_IMAGING_HD_AOV_H
 #define PXR_IMAGING_HD_AOV_H
 
-#include "pxr/pxr.h"
-#include "pxr/imaging/hd/api.h"
-#include "pxr/imaging/hd/types.h"
 #include "pxr/base/gf/vec3i.h"
 #include "pxr/base/tf/hashmap.h"
 #include "pxr/base/tf/token.h"
 #include "pxr/base/vt/value.h"
+#include "pxr/imaging/hd/api.h"
+#include "pxr/imaging/hd/types.h"
+#include "pxr/pxr.h"
 #include "pxr/usd/sdf/path.h"
 
 #include <iosfwd>

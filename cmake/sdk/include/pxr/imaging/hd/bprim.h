@@ -1,10 +1,10 @@
 #ifndef PXR_IMAGING_HD_BPRIM_H
 #define PXR_IMAGING_HD_BPRIM_H
 
-#include "pxr/pxr.h"
 #include "pxr/imaging/hd/api.h"
 #include "pxr/imaging/hd/types.h"
 #include "pxr/imaging/hd/version.h"
+#include "pxr/pxr.h"
 #include "pxr/usd/sdf/path.h"
 
 PXR_NAMESPACE_OPEN_SCOPE
@@ -14,7 +14,7 @@ class HdSceneDelegate;
 
 /// A prim that is a buffer of data, such as an image that is rendered into.
 class HdBprim {
-public:
+  public:
     HD_API HdBprim(SdfPath const &id);
     HD_API virtual ~HdBprim();
 
@@ -30,7 +30,7 @@ public:
     /// The bits that a new prim starts with.
     virtual HdDirtyBits GetInitialDirtyBitsMask() const = 0;
 
-private:
+  private:
     SdfPath _id;
 };
 

@@ -1,16 +1,16 @@
 #ifndef PXR_IMAGING_HD_CAMERA_H
 #define PXR_IMAGING_HD_CAMERA_H
 
-#include "pxr/pxr.h"
-#include "pxr/imaging/hd/api.h"
-#include "pxr/imaging/hd/sprim.h"
-#include "pxr/imaging/hd/version.h"
-#include "pxr/imaging/cameraUtil/conformWindow.h"
 #include "pxr/base/gf/matrix4d.h"
 #include "pxr/base/gf/range1f.h"
 #include "pxr/base/gf/vec2f.h"
 #include "pxr/base/gf/vec4d.h"
 #include "pxr/base/tf/token.h"
+#include "pxr/imaging/cameraUtil/conformWindow.h"
+#include "pxr/imaging/hd/api.h"
+#include "pxr/imaging/hd/sprim.h"
+#include "pxr/imaging/hd/version.h"
+#include "pxr/pxr.h"
 
 #include <vector>
 
@@ -18,7 +18,7 @@ PXR_NAMESPACE_OPEN_SCOPE
 
 /// A physical camera. Hydra's own Sync fills it in; lengths are in the scene's unit, not tenths.
 class HdCamera : public HdSprim {
-public:
+  public:
     using ClipPlanesVector = std::vector<GfVec4d>;
 
     enum Projection { Perspective = 0, Orthographic = 1 };
@@ -88,7 +88,7 @@ public:
 
     CameraUtilConformWindowPolicy const &GetWindowPolicy() const { return _windowPolicy; }
 
-protected:
+  protected:
     GfMatrix4d _transform;
     Projection _projection;
     float _horizontalAperture;

@@ -1,12 +1,12 @@
 #ifndef PXR_IMAGING_HD_CHANGE_TRACKER_H
 #define PXR_IMAGING_HD_CHANGE_TRACKER_H
 
-#include "pxr/pxr.h"
+#include "pxr/base/tf/token.h"
 #include "pxr/imaging/hd/api.h"
 #include "pxr/imaging/hd/rprimCollection.h"
 #include "pxr/imaging/hd/types.h"
 #include "pxr/imaging/hd/version.h"
-#include "pxr/base/tf/token.h"
+#include "pxr/pxr.h"
 #include "pxr/usd/sdf/path.h"
 
 #include <string>
@@ -17,7 +17,7 @@ PXR_NAMESPACE_OPEN_SCOPE
 ///
 /// The library owns it; what is declared is the vocabulary of dirty bits, and marking.
 class HdChangeTracker {
-public:
+  public:
     /// What can change about geometry and instancers.
     enum RprimDirtyBits : HdDirtyBits {
         Clean = 0,
@@ -85,7 +85,7 @@ public:
     HD_API static bool IsReprDirty(HdDirtyBits dirtyBits, SdfPath const &id);
     HD_API static std::string StringifyDirtyBits(HdDirtyBits dirtyBits);
 
-private:
+  private:
     HdChangeTracker() = delete;
 };
 

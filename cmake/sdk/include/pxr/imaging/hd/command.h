@@ -1,11 +1,11 @@
 #ifndef PXR_IMAGING_HD_COMMAND_H
 #define PXR_IMAGING_HD_COMMAND_H
 
-#include "pxr/pxr.h"
-#include "pxr/imaging/hd/api.h"
 #include "pxr/base/tf/token.h"
 #include "pxr/base/vt/dictionary.h"
 #include "pxr/base/vt/value.h"
+#include "pxr/imaging/hd/api.h"
+#include "pxr/pxr.h"
 
 #include <string>
 #include <vector>

@@ -1,8 +1,8 @@
 #ifndef PXR_IMAGING_HD_ENUMS_H
 #define PXR_IMAGING_HD_ENUMS_H
 
-#include "pxr/pxr.h"
 #include "pxr/imaging/hd/api.h"
+#include "pxr/pxr.h"
 
 PXR_NAMESPACE_OPEN_SCOPE
 

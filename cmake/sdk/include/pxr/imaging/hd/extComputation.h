@@ -1,10 +1,10 @@
 #ifndef PXR_IMAGING_HD_EXT_COMPUTATION_H
 #define PXR_IMAGING_HD_EXT_COMPUTATION_H
 
-#include "pxr/pxr.h"
 #include "pxr/imaging/hd/api.h"
 #include "pxr/imaging/hd/sceneDelegate.h"
 #include "pxr/imaging/hd/sprim.h"
+#include "pxr/pxr.h"
 
 #include <cstddef>
 #include <string>
@@ -15,7 +15,7 @@ PXR_NAMESPACE_OPEN_SCOPE
 ///
 /// The library's class is complete: a delegate makes it and lets it sync itself.
 class HdExtComputation : public HdSprim {
-public:
+  public:
     enum DirtyBits : HdDirtyBits {
         Clean = 0,
         DirtyInputDesc = 1 << 0,
@@ -39,7 +39,7 @@ public:
                      HdDirtyBits *dirtyBits) override;
     HD_API HdDirtyBits GetInitialDirtyBitsMask() const override;
 
-private:
+  private:
     size_t _dispatchCount;
     size_t _elementCount;
     TfTokenVector _sceneInputNames;

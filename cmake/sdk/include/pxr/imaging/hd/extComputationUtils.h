@@ -1,12 +1,12 @@
 #ifndef PXR_IMAGING_HD_EXT_COMPUTATION_UTILS_H
 #define PXR_IMAGING_HD_EXT_COMPUTATION_UTILS_H
 
-#include "pxr/pxr.h"
+#include "pxr/base/tf/token.h"
+#include "pxr/base/vt/value.h"
 #include "pxr/imaging/hd/api.h"
 #include "pxr/imaging/hd/extComputation.h"
 #include "pxr/imaging/hd/sceneDelegate.h"
-#include "pxr/base/tf/token.h"
-#include "pxr/base/vt/value.h"
+#include "pxr/pxr.h"
 
 #include <unordered_map>
 
@@ -14,7 +14,7 @@ PXR_NAMESPACE_OPEN_SCOPE
 
 /// Runs computations on the CPU.
 class HdExtComputationUtils {
-public:
+  public:
     using ValueStore = std::unordered_map<TfToken, VtValue, TfToken::HashFunctor>;
 
     /// Values of computed primvars, by the primvars' names. The computations that they come from

@@ -1,11 +1,11 @@
 #ifndef PXR_IMAGING_HD_GEOM_SUBSET_H
 #define PXR_IMAGING_HD_GEOM_SUBSET_H
 
-#include "pxr/pxr.h"
-#include "pxr/imaging/hd/api.h"
-#include "pxr/imaging/hd/version.h"
 #include "pxr/base/vt/array.h"
 #include "pxr/base/vt/types.h"
+#include "pxr/imaging/hd/api.h"
+#include "pxr/imaging/hd/version.h"
+#include "pxr/pxr.h"
 #include "pxr/usd/sdf/path.h"
 
 #include <vector>

@@ -1,11 +1,11 @@
 #ifndef PXR_IMAGING_HD_INSTANCER_H
 #define PXR_IMAGING_HD_INSTANCER_H
 
-#include "pxr/pxr.h"
+#include "pxr/base/tf/token.h"
 #include "pxr/imaging/hd/api.h"
 #include "pxr/imaging/hd/types.h"
 #include "pxr/imaging/hd/version.h"
-#include "pxr/base/tf/token.h"
+#include "pxr/pxr.h"
 #include "pxr/usd/sdf/path.h"
 
 #include <mutex>
@@ -19,7 +19,7 @@ class HdSceneDelegate;
 
 /// Places copies of prototypes. An instancer whose parent is not empty is itself copied.
 class HdInstancer {
-public:
+  public:
     HD_API HdInstancer(HdSceneDelegate *delegate, SdfPath const &id);
     HD_API virtual ~HdInstancer();
 
@@ -39,11 +39,11 @@ public:
     HD_API static void _SyncInstancerAndParents(HdRenderIndex &renderIndex,
                                                 SdfPath const &instancerId);
 
-protected:
+  protected:
     /// Fetches the parent's path.
     HD_API void _UpdateInstancer(HdSceneDelegate *delegate, HdDirtyBits *dirtyBits);
 
-private:
+  private:
     HdSceneDelegate *_delegate;
     SdfPath _id;
     SdfPath _parentId;

@@ -1,10 +1,10 @@
 #ifndef PXR_IMAGING_HD_LIGHT_H
 #define PXR_IMAGING_HD_LIGHT_H
 
-#include "pxr/pxr.h"
 #include "pxr/imaging/hd/api.h"
 #include "pxr/imaging/hd/sprim.h"
 #include "pxr/imaging/hd/version.h"
+#include "pxr/pxr.h"
 #include "pxr/usd/sdf/path.h"
 
 #include <string>
@@ -13,7 +13,7 @@ PXR_NAMESPACE_OPEN_SCOPE
 
 /// A light of any kind. Its parameters are asked of the scene delegate by name.
 class HdLight : public HdSprim {
-public:
+  public:
     enum DirtyBits : HdDirtyBits {
         Clean = 0,
         DirtyTransform = 1 << 0,
@@ -33,7 +33,7 @@ public:
     HD_API void _UpdateInstancer(HdSceneDelegate *sceneDelegate, HdDirtyBits *dirtyBits);
     HD_API static std::string StringifyDirtyBits(HdDirtyBits dirtyBits);
 
-private:
+  private:
     SdfPath _instancerId;
 };
 

@@ -1,14 +1,14 @@
 #ifndef PXR_IMAGING_HD_MATERIAL_H
 #define PXR_IMAGING_HD_MATERIAL_H
 
-#include "pxr/pxr.h"
+#include "pxr/base/tf/token.h"
+#include "pxr/base/vt/dictionary.h"
+#include "pxr/base/vt/value.h"
 #include "pxr/imaging/hd/api.h"
 #include "pxr/imaging/hd/sprim.h"
 #include "pxr/imaging/hd/types.h"
 #include "pxr/imaging/hd/version.h"
-#include "pxr/base/tf/token.h"
-#include "pxr/base/vt/dictionary.h"
-#include "pxr/base/vt/value.h"
+#include "pxr/pxr.h"
 #include "pxr/usd/sdf/path.h"
 
 #include <iosfwd>
@@ -19,7 +19,7 @@ PXR_NAMESPACE_OPEN_SCOPE
 
 /// A material. The scene delegate's GetMaterialResource holds its HdMaterialNetworkMap.
 class HdMaterial : public HdSprim {
-public:
+  public:
     enum DirtyBits : HdDirtyBits {
         Clean = 0,
         DirtyParams = 1 << 2,
@@ -32,7 +32,7 @@ public:
     HdMaterial &operator=(HdMaterial const &) = delete;
     HD_API ~HdMaterial() override;
 
-protected:
+  protected:
     HD_API HdMaterial(SdfPath const &id);
 };
 

@@ -1,15 +1,15 @@
 #ifndef PXR_IMAGING_HD_MESH_TOPOLOGY_H
 #define PXR_IMAGING_HD_MESH_TOPOLOGY_H
 
-#include "pxr/pxr.h"
+#include "pxr/base/tf/token.h"
+#include "pxr/base/vt/array.h"
+#include "pxr/base/vt/types.h"
 #include "pxr/imaging/hd/api.h"
 #include "pxr/imaging/hd/geomSubset.h"
 #include "pxr/imaging/hd/topology.h"
 #include "pxr/imaging/hd/version.h"
 #include "pxr/imaging/pxOsd/meshTopology.h"
-#include "pxr/base/tf/token.h"
-#include "pxr/base/vt/array.h"
-#include "pxr/base/vt/types.h"
+#include "pxr/pxr.h"
 
 #include <memory>
 
@@ -21,7 +21,7 @@ using HdMeshTopologySharedPtr = std::shared_ptr<class HdMeshTopology>;
 ///
 /// Invisible faces and points are what imaging hides; a hole is authored with the mesh.
 class HdMeshTopology : public HdTopology {
-public:
+  public:
     HD_API HdMeshTopology();
     HD_API HdMeshTopology(HdMeshTopology const &, int refineLevel = 0);
     HD_API HdMeshTopology(PxOsdMeshTopology const &, int refineLevel = 0);
@@ -61,7 +61,7 @@ public:
                                       GetFaceVertexIndices(), GetHoleIndices(), subdivTags);
     }
 
-protected:
+  protected:
     PxOsdMeshTopology _topology;
     HdGeomSubsets _geomSubsets;
     VtIntArray _invisiblePoints;

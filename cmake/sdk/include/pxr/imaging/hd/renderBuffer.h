@@ -1,18 +1,18 @@
 #ifndef PXR_IMAGING_HD_RENDER_BUFFER_H
 #define PXR_IMAGING_HD_RENDER_BUFFER_H
 
-#include "pxr/pxr.h"
+#include "pxr/base/gf/vec3i.h"
+#include "pxr/base/vt/value.h"
 #include "pxr/imaging/hd/api.h"
 #include "pxr/imaging/hd/bprim.h"
 #include "pxr/imaging/hd/types.h"
-#include "pxr/base/gf/vec3i.h"
-#include "pxr/base/vt/value.h"
+#include "pxr/pxr.h"
 
 PXR_NAMESPACE_OPEN_SCOPE
 
 /// An image that a render pass writes and the application reads. Its first row is the bottom one.
 class HdRenderBuffer : public HdBprim {
-public:
+  public:
     enum DirtyBits : HdDirtyBits {
         Clean = 0,
         DirtyDescription = 1 << 0,
@@ -49,7 +49,7 @@ public:
     /// A handle for the application's graphics system; empty where there is none.
     HD_API virtual VtValue GetResource(bool multiSampled) const;
 
-protected:
+  protected:
     virtual void _Deallocate() = 0;
 };
 

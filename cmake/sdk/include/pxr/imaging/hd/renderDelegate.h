@@ -1,18 +1,18 @@
 #ifndef PXR_IMAGING_HD_RENDER_DELEGATE_H
 #define PXR_IMAGING_HD_RENDER_DELEGATE_H
 
-#include "pxr/pxr.h"
+#include "pxr/base/tf/hashmap.h"
+#include "pxr/base/tf/refPtr.h"
+#include "pxr/base/tf/token.h"
+#include "pxr/base/vt/dictionary.h"
+#include "pxr/base/vt/value.h"
 #include "pxr/imaging/hd/aov.h"
 #include "pxr/imaging/hd/api.h"
 #include "pxr/imaging/hd/changeTracker.h"
 #include "pxr/imaging/hd/command.h"
 #include "pxr/imaging/hd/resourceRegistry.h"
 #include "pxr/imaging/hd/version.h"
-#include "pxr/base/tf/hashmap.h"
-#include "pxr/base/tf/refPtr.h"
-#include "pxr/base/tf/token.h"
-#include "pxr/base/vt/dictionary.h"
-#include "pxr/base/vt/value.h"
+#include "pxr/pxr.h"
 #include "pxr/usd/sdf/path.h"
 
 #include <memory>
@@ -42,7 +42,7 @@ using HdSceneIndexBaseRefPtr = TfRefPtr<HdSceneIndexBase>;
 
 /// Whatever a delegate wants all its prims to be given at Sync, such as the scene they build.
 class HdRenderParam {
-public:
+  public:
     HdRenderParam() = default;
     HdRenderParam(HdRenderParam const &) = delete;
     HdRenderParam &operator=(HdRenderParam const &) = delete;
@@ -69,7 +69,7 @@ using HdRenderSettingDescriptorList = std::vector<HdRenderSettingDescriptor>;
 
 /// A renderer behind Hydra: makes the prims that it supports and the passes that draw them.
 class HdRenderDelegate {
-public:
+  public:
     HdRenderDelegate(HdRenderDelegate const &) = delete;
     HdRenderDelegate &operator=(HdRenderDelegate const &) = delete;
     HD_API virtual ~HdRenderDelegate();
@@ -154,7 +154,7 @@ public:
     /// Whether sprims or bprims of a type may be synced by several threads at once.
     HD_API virtual bool IsParallelSyncEnabled(TfToken const &primType) const;
 
-protected:
+  protected:
     HD_API HdRenderDelegate();
     HD_API HdRenderDelegate(HdRenderSettingsMap const &settingsMap);
 
@@ -164,7 +164,7 @@ protected:
     HdRenderSettingsMap _settingsMap;
     unsigned int _settingsVersion;
 
-private:
+  private:
     std::string _displayName;
 };
 

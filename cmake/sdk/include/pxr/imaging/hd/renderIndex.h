@@ -1,13 +1,13 @@
 #ifndef PXR_IMAGING_HD_RENDER_INDEX_H
 #define PXR_IMAGING_HD_RENDER_INDEX_H
 
-#include "pxr/pxr.h"
+#include "pxr/base/tf/token.h"
 #include "pxr/imaging/hd/api.h"
 #include "pxr/imaging/hd/changeTracker.h"
 #include "pxr/imaging/hd/resourceRegistry.h"
 #include "pxr/imaging/hd/sceneIndex.h"
 #include "pxr/imaging/hd/version.h"
-#include "pxr/base/tf/token.h"
+#include "pxr/pxr.h"
 #include "pxr/usd/sdf/path.h"
 
 #include <string>
@@ -29,7 +29,7 @@ using HdDriverVector = std::vector<HdDriver *>;
 /// An application makes it and puts prims into it; for delegates there are look-ups. Its members
 /// are not declared.
 class HdRenderIndex final {
-public:
+  public:
     HdRenderIndex() = delete;
     HdRenderIndex(HdRenderIndex const &) = delete;
     HdRenderIndex &operator=(HdRenderIndex const &) = delete;

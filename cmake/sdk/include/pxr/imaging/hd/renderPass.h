@@ -1,11 +1,11 @@
 #ifndef PXR_IMAGING_HD_RENDER_PASS_H
 #define PXR_IMAGING_HD_RENDER_PASS_H
 
-#include "pxr/pxr.h"
+#include "pxr/base/tf/token.h"
 #include "pxr/imaging/hd/api.h"
 #include "pxr/imaging/hd/rprimCollection.h"
 #include "pxr/imaging/hd/version.h"
-#include "pxr/base/tf/token.h"
+#include "pxr/pxr.h"
 
 #include <memory>
 
@@ -18,7 +18,7 @@ using HdRenderPassStateSharedPtr = std::shared_ptr<class HdRenderPassState>;
 
 /// Renders a collection. An application executes it again and again until it is converged.
 class HdRenderPass {
-public:
+  public:
     HD_API HdRenderPass(HdRenderIndex *index, HdRprimCollection const &collection);
     HdRenderPass(HdRenderPass const &) = delete;
     HdRenderPass &operator=(HdRenderPass const &) = delete;
@@ -29,7 +29,7 @@ public:
 
     HD_API virtual bool IsConverged() const;
 
-protected:
+  protected:
     /// Renders, or lets a rendering that goes on in other threads be seen.
     virtual void _Execute(HdRenderPassStateSharedPtr const &renderPassState,
                           TfTokenVector const &renderTags) = 0;
@@ -38,7 +38,7 @@ protected:
     HD_API virtual void _MarkCollectionDirty();
     HD_API virtual void _Sync();
 
-private:
+  private:
     HdRenderIndex *const _renderIndex;
     HdRprimCollection _collection;
 };

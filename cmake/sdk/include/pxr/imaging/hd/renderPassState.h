@@ -1,16 +1,16 @@
 #ifndef PXR_IMAGING_HD_RENDER_PASS_STATE_H
 #define PXR_IMAGING_HD_RENDER_PASS_STATE_H
 
-#include "pxr/pxr.h"
+#include "pxr/base/gf/matrix4d.h"
+#include "pxr/base/gf/vec4d.h"
+#include "pxr/base/gf/vec4f.h"
+#include "pxr/imaging/cameraUtil/framing.h"
 #include "pxr/imaging/hd/aov.h"
 #include "pxr/imaging/hd/api.h"
 #include "pxr/imaging/hd/enums.h"
 #include "pxr/imaging/hd/resourceRegistry.h"
 #include "pxr/imaging/hd/version.h"
-#include "pxr/imaging/cameraUtil/framing.h"
-#include "pxr/base/gf/matrix4d.h"
-#include "pxr/base/gf/vec4d.h"
-#include "pxr/base/gf/vec4f.h"
+#include "pxr/pxr.h"
 
 #include <memory>
 #include <optional>
@@ -24,7 +24,7 @@ using HdRenderPassStateSharedPtr = std::shared_ptr<class HdRenderPassState>;
 
 /// What a pass is to render: the camera, the part of its picture, and the outputs.
 class HdRenderPassState {
-public:
+  public:
     using ClipPlanesVector = std::vector<GfVec4d>;
 
     HD_API HdRenderPassState();
@@ -59,13 +59,13 @@ public:
     HD_API HdRenderPassAovBindingVector const &GetAovBindings() const;
     HD_API HdRenderPassAovBindingVector const &GetAovInputBindings() const;
 
-protected:
+  protected:
     HdCamera const *_camera;
     GfVec4f _viewport;
     CameraUtilFraming _framing;
     std::optional<CameraUtilConformWindowPolicy> _overrideWindowPolicy;
 
-private:
+  private:
     // What a rasterizer is told follows, down to the end of the object.
     alignas(8) unsigned char _rasterizerOnly[0x180 - 0x50];
 };

@@ -1,12 +1,12 @@
 #ifndef PXR_IMAGING_HD_RENDERER_PLUGIN_H
 #define PXR_IMAGING_HD_RENDERER_PLUGIN_H
 
-#include "pxr/pxr.h"
+#include "pxr/base/tf/token.h"
 #include "pxr/imaging/hd/api.h"
 #include "pxr/imaging/hd/renderDelegate.h"
 #include "pxr/imaging/hd/version.h"
 #include "pxr/imaging/hf/pluginBase.h"
-#include "pxr/base/tf/token.h"
+#include "pxr/pxr.h"
 
 #include <string>
 
@@ -14,7 +14,7 @@ PXR_NAMESPACE_OPEN_SCOPE
 
 /// The way in: makes delegates for an application that has found the plugin by plugInfo.json.
 class HdRendererPlugin : public HfPluginBase {
-public:
+  public:
     HdRendererPlugin(HdRendererPlugin const &) = delete;
     HdRendererPlugin &operator=(HdRendererPlugin const &) = delete;
 
@@ -28,7 +28,7 @@ public:
     /// From HD_API_VERSION 83 on this takes (HdRendererCreateArgs const &, std::string *).
     virtual bool IsSupported(bool gpuEnabled = true) const = 0;
 
-protected:
+  protected:
     HdRendererPlugin() = default;
     HD_API ~HdRendererPlugin() override;
 };

@@ -1,9 +1,9 @@
 #ifndef PXR_IMAGING_HD_REPR_H
 #define PXR_IMAGING_HD_REPR_H
 
-#include "pxr/pxr.h"
-#include "pxr/imaging/hd/api.h"
 #include "pxr/base/tf/token.h"
+#include "pxr/imaging/hd/api.h"
+#include "pxr/pxr.h"
 
 #include <cstddef>
 #include <memory>
@@ -16,7 +16,7 @@ using HdReprSharedPtr = std::shared_ptr<HdRepr>;
 
 /// The ways in which a prim should be drawn: as a surface, as its cage, as its points.
 class HdReprSelector {
-public:
+  public:
     static size_t const MAX_TOPOLOGY_REPRS = 3;
 
     explicit HdReprSelector(TfToken const &refined = {}, TfToken const &unrefined = {},
@@ -30,7 +30,7 @@ public:
     HD_API bool operator!=(HdReprSelector const &rhs) const;
     HD_API TfToken const &operator[](size_t topologyIndex) const;
 
-private:
+  private:
     TfToken _refined;
     TfToken _unrefined;
     TfToken _points;

@@ -1,11 +1,11 @@
 #ifndef PXR_IMAGING_HD_RESOURCE_REGISTRY_H
 #define PXR_IMAGING_HD_RESOURCE_REGISTRY_H
 
-#include "pxr/pxr.h"
-#include "pxr/imaging/hd/api.h"
-#include "pxr/imaging/hd/version.h"
 #include "pxr/base/tf/token.h"
 #include "pxr/base/vt/dictionary.h"
+#include "pxr/imaging/hd/api.h"
+#include "pxr/imaging/hd/version.h"
+#include "pxr/pxr.h"
 
 #include <memory>
 #include <string>
@@ -18,7 +18,7 @@ using HdResourceRegistrySharedPtr = std::shared_ptr<class HdResourceRegistry>;
 ///
 /// Not to be made here: its size is unknown. A CPU delegate returns a null one, on every OpenUSD.
 class HdResourceRegistry {
-public:
+  public:
     HdResourceRegistry() = delete;
     HdResourceRegistry(HdResourceRegistry const &) = delete;
     HdResourceRegistry &operator=(HdResourceRegistry const &) = delete;
@@ -28,7 +28,7 @@ public:
     HD_API virtual void ReloadResource(TfToken const &resourceType, std::string const &path);
     HD_API virtual VtDictionary GetResourceAllocation() const;
 
-protected:
+  protected:
     HD_API virtual void _Commit();
     HD_API virtual void _GarbageCollect();
 };

@@ -1,19 +1,19 @@
 #ifndef PXR_IMAGING_HD_RPRIM_H
 #define PXR_IMAGING_HD_RPRIM_H
 
-#include "pxr/pxr.h"
-#include "pxr/imaging/hd/api.h"
-#include "pxr/imaging/hd/changeTracker.h"
-#include "pxr/imaging/hd/repr.h"
-#include "pxr/imaging/hd/sceneDelegate.h"
-#include "pxr/imaging/hd/types.h"
-#include "pxr/imaging/hd/version.h"
 #include "pxr/base/gf/bbox3d.h"
 #include "pxr/base/gf/range3d.h"
 #include "pxr/base/tf/token.h"
 #include "pxr/base/vt/array.h"
 #include "pxr/base/vt/types.h"
 #include "pxr/base/vt/value.h"
+#include "pxr/imaging/hd/api.h"
+#include "pxr/imaging/hd/changeTracker.h"
+#include "pxr/imaging/hd/repr.h"
+#include "pxr/imaging/hd/sceneDelegate.h"
+#include "pxr/imaging/hd/types.h"
+#include "pxr/imaging/hd/version.h"
+#include "pxr/pxr.h"
 #include "pxr/usd/sdf/path.h"
 
 #include <cstddef>
@@ -39,15 +39,15 @@ struct HdRprimSharedData {
 
 /// A prim that is geometry.
 class HdRprim {
-public:
+  public:
     HD_API HdRprim(SdfPath const &id);
     HD_API virtual ~HdRprim();
 
     virtual HdDirtyBits GetInitialDirtyBitsMask() const = 0;
 
     /// Brings the prim up to date with the scene. Called by several threads, for different prims.
-    virtual void Sync(HdSceneDelegate *delegate, HdRenderParam *renderParam,
-                      HdDirtyBits *dirtyBits, TfToken const &reprToken) = 0;
+    virtual void Sync(HdSceneDelegate *delegate, HdRenderParam *renderParam, HdDirtyBits *dirtyBits,
+                      TfToken const &reprToken) = 0;
 
     /// Called before the prim is destroyed, to take it out of what refers to it.
     HD_API virtual void Finalize(HdRenderParam *renderParam);
@@ -80,7 +80,7 @@ public:
     HD_API void UpdateReprSelector(HdSceneDelegate *delegate, HdDirtyBits *dirtyBits);
     HD_API virtual void UpdateRenderTag(HdSceneDelegate *delegate, HdRenderParam *renderParam);
 
-protected:
+  protected:
     using _ReprVector = std::vector<std::pair<TfToken, HdReprSharedPtr>>;
 
     /// Adds the bits that follow from those given: new topology means new points.
@@ -93,12 +93,12 @@ protected:
     HD_API void _UpdateVisibility(HdSceneDelegate *sceneDelegate, HdDirtyBits *dirtyBits);
     HD_API void _UpdateInstancer(HdSceneDelegate *sceneDelegate, HdDirtyBits *dirtyBits);
 
-private:
+  private:
     SdfPath _instancerId;
     SdfPath _materialId;
     int32_t _primId;
 
-protected:
+  protected:
     HdRprimSharedData _sharedData;
     HdReprSelector _authoredReprSelector;
     TfToken _renderTag;

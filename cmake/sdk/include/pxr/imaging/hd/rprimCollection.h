@@ -1,11 +1,11 @@
 #ifndef PXR_IMAGING_HD_RPRIM_COLLECTION_H
 #define PXR_IMAGING_HD_RPRIM_COLLECTION_H
 
-#include "pxr/pxr.h"
+#include "pxr/base/tf/token.h"
 #include "pxr/imaging/hd/api.h"
 #include "pxr/imaging/hd/repr.h"
 #include "pxr/imaging/hd/version.h"
-#include "pxr/base/tf/token.h"
+#include "pxr/pxr.h"
 #include "pxr/usd/sdf/path.h"
 
 #include <cstddef>
@@ -14,7 +14,7 @@ PXR_NAMESPACE_OPEN_SCOPE
 
 /// Which prims a render pass draws: those below some paths and not below others.
 class HdRprimCollection {
-public:
+  public:
     HD_API HdRprimCollection();
     HD_API HdRprimCollection(TfToken const &name, HdReprSelector const &reprSelector,
                              bool forcedRepr = false, TfToken const &materialTag = TfToken());
@@ -33,7 +33,7 @@ public:
     HD_API bool operator==(HdRprimCollection const &other) const;
     HD_API bool operator!=(HdRprimCollection const &other) const;
 
-private:
+  private:
     TfToken _name;
     HdReprSelector _reprSelector;
     bool _forcedRepr;

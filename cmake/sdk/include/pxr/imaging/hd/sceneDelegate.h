@@ -1,7 +1,12 @@
 #ifndef PXR_IMAGING_HD_SCENE_DELEGATE_H
 #define PXR_IMAGING_HD_SCENE_DELEGATE_H
 
-#include "pxr/pxr.h"
+#include "pxr/base/gf/matrix4d.h"
+#include "pxr/base/gf/range3d.h"
+#include "pxr/base/tf/token.h"
+#include "pxr/base/vt/array.h"
+#include "pxr/base/vt/types.h"
+#include "pxr/base/vt/value.h"
 #include "pxr/imaging/hd/aov.h"
 #include "pxr/imaging/hd/api.h"
 #include "pxr/imaging/hd/enums.h"
@@ -11,12 +16,7 @@
 #include "pxr/imaging/hd/types.h"
 #include "pxr/imaging/hd/version.h"
 #include "pxr/imaging/pxOsd/subdivTags.h"
-#include "pxr/base/gf/matrix4d.h"
-#include "pxr/base/gf/range3d.h"
-#include "pxr/base/tf/token.h"
-#include "pxr/base/vt/array.h"
-#include "pxr/base/vt/types.h"
-#include "pxr/base/vt/value.h"
+#include "pxr/pxr.h"
 #include "pxr/usd/sdf/path.h"
 
 #include <memory>
@@ -42,7 +42,7 @@ struct HdDisplayStyle {
     bool flatShadingEnabled = false;
     bool displacementEnabled = true;
 
-private:
+  private:
     // Four more flags that only a rasterizer reads, and tail padding. Their order is the library's
     // affair; that a style comes back by value is why they must be here.
     bool _rasterizerOnly[6] = {};
@@ -102,7 +102,7 @@ using HdExtComputationOutputDescriptorVector = std::vector<HdExtComputationOutpu
 ///
 /// Prims are synced by several threads at once, and all of them may ask.
 class HdSceneDelegate {
-public:
+  public:
     HD_API HdSceneDelegate(HdRenderIndex *parentIndex, SdfPath const &delegateID);
     HD_API virtual ~HdSceneDelegate();
 
@@ -211,7 +211,7 @@ public:
                                                                    HdInterpolation interpolation);
     HD_API virtual TfTokenVector GetTaskRenderTags(SdfPath const &taskId);
 
-private:
+  private:
     HdRenderIndex *_index;
     SdfPath _delegateID;
 };

@@ -14,10 +14,10 @@ PXR_NAMESPACE_OPEN_SCOPE
 
 /// Never made or derived from here: its virtual functions are not declared.
 class HdSceneIndexBase : public TfRefBase, public TfWeakBase {
-public:
+  public:
     HD_API ~HdSceneIndexBase() override;
 
-private:
+  private:
     HdSceneIndexBase() = delete;
 };
 

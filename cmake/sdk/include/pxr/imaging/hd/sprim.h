@@ -1,10 +1,10 @@
 #ifndef PXR_IMAGING_HD_SPRIM_H
 #define PXR_IMAGING_HD_SPRIM_H
 
-#include "pxr/pxr.h"
 #include "pxr/imaging/hd/api.h"
 #include "pxr/imaging/hd/types.h"
 #include "pxr/imaging/hd/version.h"
+#include "pxr/pxr.h"
 #include "pxr/usd/sdf/path.h"
 
 PXR_NAMESPACE_OPEN_SCOPE
@@ -14,7 +14,7 @@ class HdSceneDelegate;
 
 /// A prim that is state and not geometry: a camera, a light, a material.
 class HdSprim {
-public:
+  public:
     HD_API HdSprim(SdfPath const &id);
     HD_API virtual ~HdSprim();
 
@@ -30,7 +30,7 @@ public:
     /// The bits that a new prim starts with.
     virtual HdDirtyBits GetInitialDirtyBitsMask() const = 0;
 
-private:
+  private:
     SdfPath _id;
 };
 

@@ -1,9 +1,9 @@
 #ifndef PXR_IMAGING_HD_TOPOLOGY_H
 #define PXR_IMAGING_HD_TOPOLOGY_H
 
-#include "pxr/pxr.h"
 #include "pxr/imaging/hd/api.h"
 #include "pxr/imaging/hd/version.h"
+#include "pxr/pxr.h"
 
 #include <cstdint>
 
@@ -11,7 +11,7 @@ PXR_NAMESPACE_OPEN_SCOPE
 
 /// What the topologies of all kinds of geometry have in common: a hash.
 class HdTopology {
-public:
+  public:
     using ID = uint64_t;
 
     HdTopology() = default;

@@ -1,11 +1,11 @@
 #ifndef PXR_IMAGING_HD_TYPES_H
 #define PXR_IMAGING_HD_TYPES_H
 
-#include "pxr/pxr.h"
+#include "pxr/base/vt/value.h"
 #include "pxr/imaging/hd/api.h"
 #include "pxr/imaging/hd/enums.h"
 #include "pxr/imaging/hd/version.h"
-#include "pxr/base/vt/value.h"
+#include "pxr/pxr.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -2,7 +2,8 @@
 #define PXR_IMAGING_HF_API_H
 
 /// \file
-/// How the plugin foundation's symbols are marked: always imported, since the library comes ready-built.
+/// How the plugin foundation's symbols are marked: always imported, since the library comes
+/// ready-built.
 
 #include "pxr/base/arch/export.h"
 

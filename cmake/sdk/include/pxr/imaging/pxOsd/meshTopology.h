@@ -1,12 +1,12 @@
 #ifndef PXR_IMAGING_PX_OSD_MESH_TOPOLOGY_H
 #define PXR_IMAGING_PX_OSD_MESH_TOPOLOGY_H
 
-#include "pxr/pxr.h"
-#include "pxr/imaging/pxOsd/api.h"
-#include "pxr/imaging/pxOsd/subdivTags.h"
 #include "pxr/base/tf/token.h"
 #include "pxr/base/vt/array.h"
 #include "pxr/base/vt/types.h"
+#include "pxr/imaging/pxOsd/api.h"
+#include "pxr/imaging/pxOsd/subdivTags.h"
+#include "pxr/pxr.h"
 
 #include <cstdint>
 #include <iosfwd>
@@ -15,7 +15,7 @@ PXR_NAMESPACE_OPEN_SCOPE
 
 /// Faces, holes, scheme and tags of a mesh.
 class PxOsdMeshTopology {
-public:
+  public:
     using ID = uint64_t;
 
     PXOSD_API PxOsdMeshTopology();
@@ -24,12 +24,11 @@ public:
                                 VtIntArray const &faceVertexIndices);
     PXOSD_API PxOsdMeshTopology(TfToken const &scheme, TfToken const &orientation,
                                 VtIntArray const &faceVertexCounts,
-                                VtIntArray const &faceVertexIndices,
-                                VtIntArray const &holeIndices);
+                                VtIntArray const &faceVertexIndices, VtIntArray const &holeIndices);
     PXOSD_API PxOsdMeshTopology(TfToken const &scheme, TfToken const &orientation,
                                 VtIntArray const &faceVertexCounts,
-                                VtIntArray const &faceVertexIndices,
-                                VtIntArray const &holeIndices, PxOsdSubdivTags const &subdivTags);
+                                VtIntArray const &faceVertexIndices, VtIntArray const &holeIndices,
+                                PxOsdSubdivTags const &subdivTags);
 
     TfToken const GetScheme() const { return _scheme; }
     TfToken const &GetOrientation() const { return _orientation; }
@@ -41,7 +40,7 @@ public:
     PXOSD_API ID ComputeHash() const;
     PXOSD_API bool operator==(PxOsdMeshTopology const &other) const;
 
-private:
+  private:
     TfToken _scheme;
     TfToken _orientation;
     VtIntArray _faceVertexCounts;

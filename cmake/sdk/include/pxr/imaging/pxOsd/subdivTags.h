@@ -1,11 +1,11 @@
 #ifndef PXR_IMAGING_PX_OSD_SUBDIV_TAGS_H
 #define PXR_IMAGING_PX_OSD_SUBDIV_TAGS_H
 
-#include "pxr/pxr.h"
-#include "pxr/imaging/pxOsd/api.h"
 #include "pxr/base/tf/token.h"
 #include "pxr/base/vt/array.h"
 #include "pxr/base/vt/types.h"
+#include "pxr/imaging/pxOsd/api.h"
+#include "pxr/pxr.h"
 
 #include <cstddef>
 #include <iosfwd>
@@ -16,7 +16,7 @@ PXR_NAMESPACE_OPEN_SCOPE
 ///
 /// A rule that nobody has authored is the empty token.
 class PxOsdSubdivTags {
-public:
+  public:
     using ID = size_t;
 
     PxOsdSubdivTags() = default;
@@ -25,10 +25,14 @@ public:
                     TfToken const &triangleSubdivision, VtIntArray const &creaseIndices,
                     VtIntArray const &creaseLengths, VtFloatArray const &creaseWeights,
                     VtIntArray const &cornerIndices, VtFloatArray const &cornerWeights)
-        : _vertexRule(vertexInterpolationRule), _faceVaryingRule(faceVaryingInterpolationRule),
-          _creaseMethod(creaseMethod), _triangleRule(triangleSubdivision),
-          _creaseIndices(creaseIndices), _creaseLengths(creaseLengths),
-          _creaseWeights(creaseWeights), _cornerIndices(cornerIndices),
+        : _vertexRule(vertexInterpolationRule),
+          _faceVaryingRule(faceVaryingInterpolationRule),
+          _creaseMethod(creaseMethod),
+          _triangleRule(triangleSubdivision),
+          _creaseIndices(creaseIndices),
+          _creaseLengths(creaseLengths),
+          _creaseWeights(creaseWeights),
+          _cornerIndices(cornerIndices),
           _cornerWeights(cornerWeights) {}
 
     TfToken GetVertexInterpolationRule() const { return _vertexRule; }
@@ -48,7 +52,7 @@ public:
 
     PXOSD_API ID ComputeHash() const;
 
-private:
+  private:
     TfToken _vertexRule;
     TfToken _faceVaryingRule;
     TfToken _creaseMethod;
