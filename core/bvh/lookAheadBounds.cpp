@@ -5,6 +5,7 @@
 
 #include "core/subdiv/bezierPatch.h"
 #include "core/subdiv/extraordinaryPatch.h"
+#include "core/subdiv/irregularPatch.h"
 
 namespace cc {
 namespace {
@@ -14,6 +15,9 @@ constexpr float kRelativeMargin = 4e-7f;
 
 /// Steps around an extraordinary vertex before its 1-ring's hull is taken.
 constexpr int kExtraordinarySteps = 3;
+
+/// The same for irregular patches, whose parts multiply along creases.
+constexpr int kIrregularSteps = 2;
 
 Box3f ExtraordinaryBounds(const PatchTable& patches, uint32_t patch, const Vec3f* points) {
     const uint32_t* indices = patches.Indices(patch);
@@ -36,12 +40,40 @@ Box3f ExtraordinaryBounds(const PatchTable& patches, uint32_t patch, const Vec3f
     return box;
 }
 
+Box3f IrregularBounds(const IrregularPatch& patch, int steps) {
+    Vec3f bspline[16];
+    if (patch.ToBSpline(bspline)) {
+        return BezierPatch::FromBSpline(bspline).SplitBounds();
+    }
+    if (steps == 0) {
+        return patch.HullBox();
+    }
+    IrregularPatch quarters[4];
+    patch.Subdivide(quarters);
+    Box3f box;
+    for (const IrregularPatch& quarter : quarters) {
+        box.Extend(IrregularBounds(quarter, steps - 1));
+    }
+    return box;
+}
+
+Box3f SurfaceBounds(const PatchTable& patches, uint32_t patch, const Vec3f* points) {
+    switch (patches.At(patch).kind) {
+        case PatchKind::Regular:
+        case PatchKind::Bilinear:
+            return GatherBezier(patches, patch, points).SplitBounds();
+        case PatchKind::Extraordinary:
+            return ExtraordinaryBounds(patches, patch, points);
+        case PatchKind::Irregular:
+            return IrregularBounds(GatherIrregular(patches, patch, points), kIrregularSteps);
+    }
+    return {};
+}
+
 }  // namespace
 
 Box3f LookAheadBounds(const PatchTable& patches, uint32_t patch, const Vec3f* points) {
-    Box3f box = patches.At(patch).kind == PatchKind::Extraordinary
-                    ? ExtraordinaryBounds(patches, patch, points)
-                    : GatherBezier(patches, patch, points).SplitBounds();
+    Box3f box = SurfaceBounds(patches, patch, points);
     for (int axis = 0; axis < 3; ++axis) {
         const float margin = kRelativeMargin * (std::fabs(box.lower[axis]) +
                                                 std::fabs(box.upper[axis]) + box.Diagonal());

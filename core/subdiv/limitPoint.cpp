@@ -4,6 +4,7 @@
 
 #include "core/subdiv/bezierPatch.h"
 #include "core/subdiv/extraordinaryPatch.h"
+#include "core/subdiv/irregularPatch.h"
 
 namespace cc {
 namespace {
@@ -85,28 +86,77 @@ LimitPoint EvaluateBezier(const BezierPatch& patch, float u, float v) {
     return point;
 }
 
+LimitPoint EvaluateExtraordinary(const ExtraordinaryPatch& patch, float u, float v) {
+    const Vec3f origin = patch.LimitPosition();
+    ExtraordinaryPatch local = MovedToOrigin(patch, origin);
+    const RegularPiece piece = FindRegularPiece(&local, u, v);
+    LimitPoint point;
+    if (piece.isRegular) {
+        point = EvaluateBezier(piece.patch, piece.u, piece.v);
+        point.position += origin;
+        point.du *= piece.scale;
+        point.dv *= piece.scale;
+    } else {
+        point.position = origin;
+        patch.LimitTangents(&point.du, &point.dv);
+        point.normal = Normalize(Cross(point.du, point.dv));
+    }
+    return point;
+}
+
+/// Subdivides towards (u, v) until the surface there is regular, or so small that it is flat.
+LimitPoint EvaluateIrregular(const IrregularPatch& patch, float u, float v) {
+    // About the nearest corner, so that small parts near it keep their relative precision.
+    const int nearest = v < 0.5f ? (u < 0.5f ? 0 : 1) : (u < 0.5f ? 3 : 2);
+    const Vec3f origin = patch.rings[nearest].LimitPosition();
+    IrregularPatch local = patch;
+    local.Translate(-origin);
+    LimitPoint point;
+    float scale = 1;
+    Vec3f bspline[16];
+    bool isRegular = local.ToBSpline(bspline);
+    for (int halving = 0; halving < kMaxHalvings && !isRegular; ++halving) {
+        IrregularPatch quarters[4];
+        local.Subdivide(quarters);
+        u *= 2;
+        v *= 2;
+        scale *= 2;
+        const bool isHighU = u > 1 || (u == 1 && nearest % 3 != 0);
+        const bool isHighV = v > 1 || (v == 1 && nearest >= 2);
+        u -= isHighU;
+        v -= isHighV;
+        local = quarters[isHighV ? (isHighU ? 2 : 3) : (isHighU ? 1 : 0)];
+        isRegular = local.ToBSpline(bspline);
+    }
+    if (isRegular) {
+        point = EvaluateBezier(BezierPatch::FromBSpline(bspline), u, v);
+    } else {
+        Vec3f corners[4];
+        local.LimitCorners(corners);
+        point = EvaluateBezier(BezierPatch::FromBilinear(corners), u, v);
+    }
+    point.position += origin;
+    point.du *= scale;
+    point.dv *= scale;
+    return point;
+}
+
 }  // namespace
 
 LimitPoint EvaluateLimit(const PatchTable& patches, uint32_t patch, const Vec3f* values, float u,
                          float v) {
     LimitPoint point;
-    if (patches.At(patch).kind != PatchKind::Extraordinary) {
-        point = EvaluateBezier(GatherBezier(patches, patch, values), u, v);
-    } else {
-        const ExtraordinaryPatch extraordinary = GatherExtraordinary(patches, patch, values);
-        const Vec3f origin = extraordinary.LimitPosition();
-        ExtraordinaryPatch local = MovedToOrigin(extraordinary, origin);
-        const RegularPiece piece = FindRegularPiece(&local, u, v);
-        if (piece.isRegular) {
-            point = EvaluateBezier(piece.patch, piece.u, piece.v);
-            point.position += origin;
-            point.du *= piece.scale;
-            point.dv *= piece.scale;
-        } else {
-            point.position = origin;
-            extraordinary.LimitTangents(&point.du, &point.dv);
-            point.normal = Normalize(Cross(point.du, point.dv));
-        }
+    switch (patches.At(patch).kind) {
+        case PatchKind::Regular:
+        case PatchKind::Bilinear:
+            point = EvaluateBezier(GatherBezier(patches, patch, values), u, v);
+            break;
+        case PatchKind::Extraordinary:
+            point = EvaluateExtraordinary(GatherExtraordinary(patches, patch, values), u, v);
+            break;
+        case PatchKind::Irregular:
+            point = EvaluateIrregular(GatherIrregular(patches, patch, values), u, v);
+            break;
     }
     if (patches.IsLeftHanded()) {
         point.normal = -point.normal;
@@ -116,13 +166,7 @@ LimitPoint EvaluateLimit(const PatchTable& patches, uint32_t patch, const Vec3f*
 
 Vec3f EvaluateLimitValue(const PatchTable& patches, uint32_t patch, const Vec3f* values, float u,
                          float v) {
-    if (patches.At(patch).kind != PatchKind::Extraordinary) {
-        return GatherBezier(patches, patch, values).Position(u, v);
-    }
-    ExtraordinaryPatch extraordinary = GatherExtraordinary(patches, patch, values);
-    const RegularPiece piece = FindRegularPiece(&extraordinary, u, v);
-    return piece.isRegular ? piece.patch.Position(piece.u, piece.v)
-                           : extraordinary.LimitPosition();
+    return EvaluateLimit(patches, patch, values, u, v).position;
 }
 
 }  // namespace cc

@@ -1,5 +1,7 @@
 #include "core/subdiv/oneRing.h"
 
+#include <algorithm>
+
 #include <opensubdiv/sdc/crease.h>
 
 namespace cc {
@@ -184,7 +186,132 @@ class OneRingGatherer {
     std::vector<int> _fan;
 };
 
+float SharpnessOf(const TopologyLevel& level, Index edge) {
+    return IsSharp(level, edge) ? Crease::SHARPNESS_INFINITE : level.GetEdgeSharpness(edge);
+}
+
+/// Walks around a vertex between barriers: sharp edges beyond which nothing shapes this side.
+class CornerRingGatherer {
+  public:
+    CornerRingGatherer(const TopologyLevel& level, Index vertex, CornerRing* ring)
+        : _level(level),
+          _vertex(vertex),
+          _faceCount(level.GetVertexFaces(vertex).size()),
+          _ring(*ring) {
+        for (Index edge : level.GetVertexEdges(vertex)) {
+            _sharpEdgeCount += IsSharp(level, edge);
+        }
+    }
+
+    bool Gather(Index face) {
+        const int corner = _level.GetFaceVertices(face).FindIndex(_vertex);
+        if (corner < 0) {
+            return false;
+        }
+        Place at{face, _level.GetFaceEdges(face)[corner]};
+        if (!_GoToStart(&at)) {
+            return false;
+        }
+        _ring = CornerRing();
+        _ring.isClosed = !_IsBarrier(at.edge);
+        _ring.vertexSharpness = _level.GetVertexSharpness(_vertex);
+        _ring.vertices.push_back(_vertex);
+        if (!_Collect(at)) {
+            return false;
+        }
+        for (Index edge : _level.GetVertexEdges(_vertex)) {
+            const float sharpness = SharpnessOf(_level, edge);
+            if (sharpness > 0 && std::find(_edges.begin(), _edges.end(), edge) == _edges.end()) {
+                _ring.outsideSharpness.push_back(sharpness);
+            }
+        }
+        return true;
+    }
+
+  private:
+    /// A face, and that of its edges at the vertex by which a counterclockwise walk enters it.
+    struct Place {
+        Index face, edge;
+    };
+
+    /// A single sharp edge is a dart's, and the surface closes around it.
+    bool _IsBarrier(Index edge) const { return _sharpEdgeCount > 1 && IsSharp(_level, edge); }
+
+    /// Goes clockwise to the first barrier, or once around. Returns false if there is no fan.
+    bool _GoToStart(Place* at) const {
+        const Index first = at->face;
+        for (int i = 0; i < _faceCount && !_IsBarrier(at->edge); ++i) {
+            FanStep step;
+            if (!StepAcross(_level, _vertex, at->face, at->edge, &step)) {
+                return false;
+            }
+            *at = {step.face, step.farEdge};
+            if (step.face == first) {
+                return true;
+            }
+        }
+        return _IsBarrier(at->edge);
+    }
+
+    /// Goes counterclockwise and notes what is passed. Returns false if there is no fan of quads.
+    bool _Collect(Place at) {
+        const Index firstFace = at.face;
+        for (int i = 0; i < _faceCount; ++i) {
+            if (!_AddFace(&at)) {
+                return false;
+            }
+            if (_IsBarrier(at.edge)) {
+                _AddEdge(at.edge);
+                return !_ring.isClosed;
+            }
+            FanStep step;
+            if (!StepAcross(_level, _vertex, at.face, at.edge, &step)) {
+                return false;
+            }
+            at.face = step.face;
+            if (at.face == firstFace) {
+                return _ring.isClosed && at.edge == _edges.front();
+            }
+        }
+        return false;
+    }
+
+    /// Notes a face and moves on to its edge further counterclockwise.
+    bool _AddFace(Place* at) {
+        const ConstIndexArray vertices = _level.GetFaceVertices(at->face);
+        const int corner = vertices.FindIndex(_vertex);
+        if (vertices.size() != 4 || corner < 0) {
+            return false;
+        }
+        _AddEdge(at->edge);
+        _ring.vertices.push_back(vertices[(corner + 2) & 3]);
+        _ring.faces.push_back(at->face);
+        const ConstIndexArray edges = _level.GetFaceEdges(at->face);
+        const Index next = edges[corner], previous = edges[(corner + 3) & 3];
+        at->edge = at->edge == next ? previous : next;
+        return true;
+    }
+
+    void _AddEdge(Index edge) {
+        const ConstIndexArray ends = _level.GetEdgeVertices(edge);
+        _edges.push_back(edge);
+        _ring.vertices.push_back(ends[0] == _vertex ? ends[1] : ends[0]);
+        _ring.edgeSharpness.push_back(SharpnessOf(_level, edge));
+    }
+
+    const TopologyLevel& _level;
+    const Index _vertex;
+    const int _faceCount;
+    int _sharpEdgeCount = 0;
+    CornerRing& _ring;
+    std::vector<Index> _edges;
+};
+
 }  // namespace
+
+bool GatherCornerRing(const TopologyLevel& level, int vertex, int face, CornerRing* ring) {
+    return CornerRingGatherer(level, vertex, ring).Gather(face);
+}
 
 void GatherOneRing(const TopologyLevel& level, int face, OneRing* ring) {
     ring->extraordinaryCorner = -1;

@@ -12,8 +12,8 @@ enum class FaceShape {
     Regular,
     /// One smooth interior corner of valence other than 4, the rest regular.
     Extraordinary,
-    /// Anything else: not a quad, several extraordinary vertices, sharpness that still decays, a
-    /// corner, dart or crease that no B-spline has.
+    /// Anything else: several extraordinary vertices, sharpness that still decays, a corner, dart
+    /// or crease that no B-spline has, or not a quad among quads.
     Irregular,
 };
 
@@ -38,6 +38,21 @@ struct OneRing {
 
 /// Gathers the 1-ring of a face. Works on any topology that OpenSubdiv accepts.
 void GatherOneRing(const OpenSubdiv::Far::TopologyLevel& level, int face, OneRing* ring);
+
+/// The part of a vertex's 1-ring that shapes one side of it (VertexRing), as vertices of the level.
+struct CornerRing {
+    std::vector<int> vertices;  ///< the vertex, then edge neighbours and face diagonals by turns
+    std::vector<int> faces;     ///< in the order of the diagonals
+    std::vector<float> edgeSharpness;
+    std::vector<float> outsideSharpness;
+    float vertexSharpness = 0;
+    bool isClosed = false;
+};
+
+/// Gathers the side of a vertex that a face is on. Returns false if a face there is not a quad, or
+/// if the faces do not form a fan.
+bool GatherCornerRing(const OpenSubdiv::Far::TopologyLevel& level, int vertex, int face,
+                      CornerRing* ring);
 
 /// Row and column of a face's corner in the 4x4 grid.
 struct GridPosition {

@@ -1,5 +1,6 @@
 #include "core/subdiv/patchBuilder.h"
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <utility>
@@ -10,8 +11,9 @@
 namespace cc {
 namespace {
 
-/// Depth at which features that no patch has become bilinear quads.
-constexpr int kMaxDepth = 6;
+/// Refinement makes every face a quad in one step, and every fan one of quads in two. What then
+/// still has no rings is no surface, and ends as bilinear quads.
+constexpr int kMaxDepth = 2;
 
 /// Emits the patches of one refinement level after the other.
 class CatmullClarkBuilder {
@@ -20,29 +22,30 @@ class CatmullClarkBuilder {
 
     /// Emits the patches of a level; returns the faces that need another step.
     std::vector<int> AddLevel(RefinementLevel* level) {
-        std::vector<int> irregular;
+        std::vector<int> unfinished;
         const OpenSubdiv::Far::TopologyLevel topology = level->Topology();
         for (int face = 0; face < level->FaceCount(); ++face) {
             if (!level->Origin(face).isVisible) {
                 continue;
             }
             GatherOneRing(topology, face, &_ring);
-            if (_ring.shape == FaceShape::Irregular) {
+            if (_ring.shape != FaceShape::Irregular) {
+                _GatherGrid(level);
+                if (_ring.shape == FaceShape::Regular) {
+                    _AddRegular(level->Origin(face));
+                } else {
+                    _AddExtraordinary(level, level->Origin(face));
+                }
+            } else if (!_AddIrregular(level, face)) {
                 if (level->Origin(face).depth < kMaxDepth) {
-                    irregular.push_back(face);
+                    unfinished.push_back(face);
                 } else {
                     _AddLimitQuad(level, face);
                 }
-                continue;
-            }
-            _GatherGrid(level);
-            if (_ring.shape == FaceShape::Regular) {
-                _AddRegular(level->Origin(face));
-            } else {
-                _AddExtraordinary(level, level->Origin(face));
             }
         }
-        return irregular;
+        _ringPlaces.clear();
+        return unfinished;
     }
 
   private:
@@ -122,6 +125,59 @@ class CatmullClarkBuilder {
         _table->AddPatch(patch, points.data(), static_cast<int>(points.size()));
     }
 
+    /// A ring of the table, and which of its faces a face is.
+    struct RingPlace {
+        uint32_t ring, face;
+    };
+
+    /// Adds the ring of a vertex for all faces on the same side of it. Returns false if there is
+    /// none.
+    bool _AddRing(RefinementLevel* level, int vertex, int face) {
+        CornerRing ring;
+        if (!GatherCornerRing(level->Topology(), vertex, face, &ring)) {
+            return false;
+        }
+        std::vector<uint32_t> points;
+        for (int v : ring.vertices) {
+            points.push_back(level->PatchPoint(v, _table));
+        }
+        PatchRing stored{};
+        stored.faceCount = static_cast<uint32_t>(ring.faces.size());
+        stored.outsideCount = static_cast<uint16_t>(ring.outsideSharpness.size());
+        stored.isClosed = ring.isClosed;
+        stored.vertexSharpness = ring.vertexSharpness;
+        std::vector<float> sharpnesses = ring.edgeSharpness;
+        sharpnesses.insert(sharpnesses.end(), ring.outsideSharpness.begin(),
+                           ring.outsideSharpness.end());
+        const uint32_t index = _table->AddRing(stored, points, sharpnesses);
+        for (uint32_t i = 0; i < stored.faceCount; ++i) {
+            _ringPlaces[{vertex, ring.faces[i]}] = {index, i};
+        }
+        return true;
+    }
+
+    /// Adds a quad with the rings of its corners. Returns false if it has none.
+    bool _AddIrregular(RefinementLevel* level, int face) {
+        const auto vertices = level->Topology().GetFaceVertices(face);
+        if (vertices.size() != 4) {
+            return false;
+        }
+        uint32_t corners[8];
+        Patch patch = _MakePatch(level->Origin(face), PatchKind::Irregular);
+        for (int corner = 0; corner < 4; ++corner) {
+            const std::pair<int, int> key{vertices[corner], face};
+            if (_ringPlaces.count(key) == 0 && !_AddRing(level, vertices[corner], face)) {
+                return false;
+            }
+            corners[2 * corner] = _ringPlaces[key].ring;
+            corners[2 * corner + 1] = _ringPlaces[key].face;
+            const uint32_t valence = _table->Ring(corners[2 * corner]).faceCount;
+            patch.valence = static_cast<uint16_t>(std::max<uint32_t>(patch.valence, valence));
+        }
+        _table->AddPatch(patch, corners, 8);
+        return true;
+    }
+
     void _AddLimitQuad(RefinementLevel* level, int face) {
         uint32_t points[4];
         const auto vertices = level->Topology().GetFaceVertices(face);
@@ -135,6 +191,8 @@ class CatmullClarkBuilder {
     OneRing _ring;
     uint32_t _grid[4][4];
     std::map<std::pair<uint32_t, uint32_t>, uint32_t> _extrapolated;
+    /// By vertex and face of the level.
+    std::map<std::pair<int, int>, RingPlace> _ringPlaces;
 };
 
 void AddCatmullClark(const ControlMesh& mesh, size_t pointCount, PatchTable* table,
@@ -143,11 +201,11 @@ void AddCatmullClark(const ControlMesh& mesh, size_t pointCount, PatchTable* tab
     levels.push_back(std::make_unique<RefinementLevel>(mesh, pointCount, error));
     CatmullClarkBuilder builder(table);
     while (levels.back()->IsValid()) {
-        const std::vector<int> irregular = builder.AddLevel(levels.back().get());
-        if (irregular.empty()) {
+        const std::vector<int> unfinished = builder.AddLevel(levels.back().get());
+        if (unfinished.empty()) {
             return;
         }
-        levels.push_back(std::make_unique<RefinementLevel>(levels.back().get(), irregular));
+        levels.push_back(std::make_unique<RefinementLevel>(levels.back().get(), unfinished));
     }
     if (error->empty()) {
         *error = "the topology cannot be refined";
@@ -198,14 +256,16 @@ void AddBilinear(const ControlMesh& mesh, PatchTable* table) {
 
 PatchTable BuildPatchTable(const ControlMesh& mesh, size_t pointCount, std::string* error) {
     error->clear();
-    PatchTable table(pointCount, mesh.leftHanded);
+    const SharpnessDecay decay = mesh.creaseRule == CreaseRule::Chaikin ? SharpnessDecay::Chaikin
+                                                                        : SharpnessDecay::Uniform;
+    PatchTable table(pointCount, mesh.leftHanded, decay);
     if (mesh.scheme == Scheme::CatmullClark) {
         AddCatmullClark(mesh, pointCount, &table, error);
     } else {
         AddBilinear(mesh, &table);
     }
     if (!error->empty()) {
-        return PatchTable(pointCount, mesh.leftHanded);
+        return PatchTable(pointCount, mesh.leftHanded, decay);
     }
     table.Finish();
     return table;

@@ -11,6 +11,8 @@ int PatchTable::IndexCount(uint32_t patch) const {
             return 16;
         case PatchKind::Bilinear:
             return 4;
+        case PatchKind::Irregular:
+            return 8;
         case PatchKind::Extraordinary:
             break;
     }
@@ -61,6 +63,7 @@ FaceParameter PatchTable::ToFace(uint32_t patch, float u, float v) const {
 
 size_t PatchTable::Bytes() const {
     return _patches.capacity() * sizeof(Patch) + _indices.capacity() * sizeof(uint32_t) +
+           _rings.capacity() * sizeof(PatchRing) + _sharpnesses.capacity() * sizeof(float) +
            _stencilEnds.capacity() * sizeof(uint32_t) +
            _stencilIndices.capacity() * sizeof(uint32_t) +
            _stencilWeights.capacity() * sizeof(float);
@@ -80,7 +83,19 @@ void PatchTable::AddPatch(Patch patch, const uint32_t* indices, int count) {
     _maxDepth = std::max(_maxDepth, static_cast<int>(patch.depth));
 }
 
+uint32_t PatchTable::AddRing(PatchRing ring, const std::vector<uint32_t>& indices,
+                             const std::vector<float>& sharpnesses) {
+    ring.firstIndex = static_cast<uint32_t>(_indices.size());
+    ring.firstSharpness = static_cast<uint32_t>(_sharpnesses.size());
+    _indices.insert(_indices.end(), indices.begin(), indices.end());
+    _sharpnesses.insert(_sharpnesses.end(), sharpnesses.begin(), sharpnesses.end());
+    _rings.push_back(ring);
+    return static_cast<uint32_t>(_rings.size() - 1);
+}
+
 void PatchTable::Finish() {
+    _rings.shrink_to_fit();
+    _sharpnesses.shrink_to_fit();
     _patches.shrink_to_fit();
     _indices.shrink_to_fit();
     _stencilEnds.shrink_to_fit();

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/math/vec.h"
+#include "core/subdiv/vertexRing.h"
 
 namespace cc {
 
@@ -18,6 +19,9 @@ enum class PatchKind : uint8_t {
     /// 2n + 8 points: a quad with one extraordinary vertex of valence n at (0,0) (Figure 2c), in
     /// the order of ExtraordinaryPatch.
     Extraordinary,
+    /// Four rings, one a corner, each with the quad's place in it: creases, corners, boundaries and
+    /// valences as they come (IrregularPatch).
+    Irregular,
 };
 
 /// One quad of the surface with its 1-ring.
@@ -26,11 +30,23 @@ struct Patch {
     uint32_t face;        ///< the authored face
     uint32_t corner;      ///< of an n-gon: which of its n sub-quads; else 0
     uint16_t cellU, cellV;  ///< which of the 2^cellDepth x 2^cellDepth cells of the (sub-)quad
-    uint16_t valence;       ///< of the extraordinary vertex; else 4
+    uint16_t valence;       ///< largest at its corners: 4 if it is regular
     uint8_t depth;          ///< refinement steps between the cage and this quad
     PatchKind kind : 4;
     uint8_t rotation : 2;  ///< corner of the cell that (0,0) of the patch lies at
     uint8_t isSubQuad : 1;  ///< the authored face is not a quad: cells count from its sub-quads
+};
+
+/// A vertex with the faces and tags that shape one side of it (VertexRing), shared by the irregular
+/// patches around the vertex. Its points are the vertex, then edge neighbours and face diagonals by
+/// turns; its sharpnesses are those of the edges, then outsideCount others.
+struct PatchRing {
+    uint32_t firstIndex;
+    uint32_t firstSharpness;
+    uint32_t faceCount;
+    uint16_t outsideCount;
+    bool isClosed;
+    float vertexSharpness;
 };
 
 /// Where a point of a patch lies on its authored face. On a quad, (0,0) is the first corner and u
@@ -56,13 +72,21 @@ class PatchTable {
     size_t Count() const { return _patches.size(); }
     const Patch& At(uint32_t patch) const { return _patches[patch]; }
     const uint32_t* Indices(uint32_t patch) const { return &_indices[_patches[patch].firstIndex]; }
-    /// Number of control points of a patch.
+    /// Number of indices of a patch: of its points, or for an irregular one four pairs of a ring and
+    /// a face of it.
     int IndexCount(uint32_t patch) const;
     uint32_t AuthoredFace(uint32_t patch) const { return _patches[patch].face; }
     /// Refinement steps of the patch that took most of them.
     int MaxDepth() const { return _maxDepth; }
     /// True if the cage's faces run clockwise: normals are flipped.
     bool IsLeftHanded() const { return _leftHanded; }
+
+    const PatchRing& Ring(uint32_t ring) const { return _rings[ring]; }
+    const uint32_t* RingIndices(const PatchRing& ring) const { return &_indices[ring.firstIndex]; }
+    const float* RingSharpness(const PatchRing& ring) const {
+        return &_sharpnesses[ring.firstSharpness];
+    }
+    SharpnessDecay Decay() const { return _decay; }
 
     size_t CagePointCount() const { return _cagePointCount; }
     size_t PointCount() const { return _cagePointCount + _stencilEnds.size(); }
@@ -78,23 +102,29 @@ class PatchTable {
     // For builders:
 
     PatchTable() = default;
-    PatchTable(size_t cagePointCount, bool leftHanded)
-        : _cagePointCount(cagePointCount), _leftHanded(leftHanded) {}
+    PatchTable(size_t cagePointCount, bool leftHanded, SharpnessDecay decay)
+        : _cagePointCount(cagePointCount), _decay(decay), _leftHanded(leftHanded) {}
     /// Adds a point made of earlier ones; returns its index.
     uint32_t AddPoint(const Stencil& stencil);
     /// Adds a patch; its firstIndex is set to where its indices go.
     void AddPatch(Patch patch, const uint32_t* indices, int count);
+    /// Adds a ring; returns its index.
+    uint32_t AddRing(PatchRing ring, const std::vector<uint32_t>& indices,
+                     const std::vector<float>& sharpnesses);
     /// Gives back memory that was reserved for growth.
     void Finish();
 
   private:
     std::vector<Patch> _patches;
     std::vector<uint32_t> _indices;
+    std::vector<PatchRing> _rings;
+    std::vector<float> _sharpnesses;
     size_t _cagePointCount = 0;
     std::vector<uint32_t> _stencilEnds;
     std::vector<uint32_t> _stencilIndices;
     std::vector<float> _stencilWeights;
     int _maxDepth = 0;
+    SharpnessDecay _decay = SharpnessDecay::Uniform;
     bool _leftHanded = false;
 };
 

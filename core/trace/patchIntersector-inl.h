@@ -13,6 +13,7 @@
 #include <hwy/highway.h>
 
 #include "core/subdiv/extraordinaryPatch.h"
+#include "core/subdiv/irregularPatch.h"
 #include "core/trace/bezierRows-inl.h"
 #include "core/trace/quadIntersection-inl.h"
 #include "core/trace/rayPacket.h"
@@ -45,8 +46,8 @@ class PatchIntersector {
                      HitPacket* hits, TraceStatistics* statistics)
         : _surface(surface),
           _instance(instance),
-          // Quads of a mesh must meet at one level: where features are isolated deeper than the
-          // level that was asked for, the whole mesh goes as deep.
+          // Quads of a mesh must meet at one level: where faces were refined deeper than the level
+          // that was asked for, the whole mesh goes as deep.
           _level(std::max(level, surface.Patches().MaxDepth())),
           _rays(*rays),
           _hits(hits),
@@ -64,6 +65,14 @@ class PatchIntersector {
         const int splits = _level - p.depth;
         if (p.kind == PatchKind::Extraordinary) {
             _IntersectExtraordinary(patches, p, splits, firstRay);
+            return;
+        }
+        if (p.kind == PatchKind::Irregular) {
+            const IrregularPatch irregular =
+                GatherIrregular(patches, patch, _surface.PatchPoints().data());
+            const Box3f hull = irregular.HullBox();
+            _SetTolerance(&hull.lower, 2);
+            _IntersectIrregular(irregular, 0, 0, 1, splits, firstRay);
             return;
         }
         const BezierPatch bezier = GatherBezier(patches, patch, _surface.PatchPoints().data());
@@ -119,11 +128,43 @@ class PatchIntersector {
         }
         Vec3f corners[4];
         extraordinary.LimitCorners(corners);
-        Box3f box;
-        for (const Vec3f& corner : corners) {
-            box.Extend(corner);
+        _IntersectLimitQuad(corners, 0, 0, size, firstRay);
+    }
+
+    void _IntersectIrregular(const IrregularPatch& patch, float u, float v, float size, int splits,
+                             int firstRay) {
+        Vec3f bspline[16];
+        if (patch.ToBSpline(bspline)) {
+            _IntersectBezier(BezierPatch::FromBSpline(bspline), u, v, size, splits, firstRay);
+            return;
         }
-        _IntersectQuad(corners, _Widened(box), 0, 0, size, firstRay);
+        if (splits == 0) {
+            Vec3f corners[4];
+            patch.LimitCorners(corners);
+            _IntersectLimitQuad(corners, u, v, size, firstRay);
+            return;
+        }
+        firstRay = _FirstRay(_Widened(patch.HullBox()), firstRay);
+        if (firstRay >= _rays.rays.count) {
+            return;
+        }
+        ++_statistics.subdivisionsIrregular;
+        IrregularPatch quarters[4];
+        patch.Subdivide(quarters);
+        const float half = size * 0.5f;
+        for (int i = 0; i < 4; ++i) {
+            _IntersectIrregular(quarters[i], i == 1 || i == 2 ? u + half : u, i >= 2 ? v + half : v,
+                                half, splits - 1, firstRay);
+        }
+    }
+
+    /// A quad of the last level whose box has not been tested yet.
+    void _IntersectLimitQuad(const Vec3f corners[4], float u, float v, float size, int firstRay) {
+        Box3f box;
+        for (int i = 0; i < 4; ++i) {
+            box.Extend(corners[i]);
+        }
+        _IntersectQuad(corners, _Widened(box), u, v, size, firstRay);
     }
 
     Box3f _Widened(Box3f box) const {

@@ -125,10 +125,10 @@ INSTANTIATE_TEST_SUITE_P(Catalogue, TracerTest, testing::ValuesIn(Catalogue()), 
 TEST(Tracer, NothingEscapesAClosedMesh) {
     for (const Cage& cage : {Torus(8, 6), Cube(), Drum(5), Tetrahedron()}) {
         const TracedCage traced(cage);
-        // A point just inside the surface of the first patch.
+        // A point inside, below a vertex of the quads of every level.
         const Surface& surface = *traced.surface;
         const LimitPoint start =
-            EvaluateLimit(surface.Patches(), 0, surface.PatchPoints().data(), 0.5f, 0.5f);
+            EvaluateLimit(surface.Patches(), 0, surface.PatchPoints().data(), 0, 0);
         const Vec3f inside = start.position - start.normal * (0.05f * surface.Bounds().Diagonal());
         std::mt19937 random(11);
         std::normal_distribution<float> normal;

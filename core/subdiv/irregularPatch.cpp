@@ -1,0 +1,207 @@
+#include "core/subdiv/irregularPatch.h"
+
+namespace cc {
+namespace {
+
+VertexRing GatherRing(const PatchTable& patches, uint32_t index, const Vec3f* values) {
+    const PatchRing& stored = patches.Ring(index);
+    const uint32_t* points = patches.RingIndices(stored);
+    VertexRing ring;
+    ring.center = values[*points++];
+    for (uint32_t face = 0; face < stored.faceCount; ++face) {
+        ring.edges.push_back(values[*points++]);
+        ring.diagonals.push_back(values[*points++]);
+    }
+    if (!stored.isClosed) {
+        ring.edges.push_back(values[*points]);
+    }
+    const float* sharpness = patches.RingSharpness(stored);
+    ring.edgeSharpness.assign(sharpness, sharpness + ring.edges.size());
+    sharpness += ring.edges.size();
+    ring.outsideSharpness.assign(sharpness, sharpness + stored.outsideCount);
+    ring.vertexSharpness = stored.vertexSharpness;
+    ring.isClosed = stored.isClosed;
+    ring.decay = patches.Decay();
+    return ring;
+}
+
+int Next(int corner) { return (corner + 1) & 3; }
+int Opposite(int corner) { return (corner + 2) & 3; }
+int Previous(int corner) { return (corner + 3) & 3; }
+
+/// The refined rings of the corners, and what the quarters share.
+struct RefinedQuad {
+    VertexRing corners[4];
+    const int* faces;
+    Vec3f face;
+    Vec3f edges[4];  ///< edge i runs from corner i to the next
+    bool isOpen[4];
+
+    /// The ring of the face point. Its first face is the quarter of a corner.
+    VertexRing FaceRing(int corner) const {
+        VertexRing ring;
+        ring.center = face;
+        for (int k = 0; k < 4; ++k) {
+            ring.edges.push_back(edges[(corner + 3 + k) & 3]);
+            ring.diagonals.push_back(corners[(corner + k) & 3].center);
+        }
+        ring.edgeSharpness.assign(4, 0);
+        return ring;
+    }
+
+    /// The ring of an edge point. Its first face is the quarter of the edge's second corner.
+    VertexRing EdgeRing(int edge) const {
+        const int a = edge, b = Next(edge);
+        const VertexRing& ringA = corners[a];
+        const VertexRing& ringB = corners[b];
+        VertexRing ring;
+        ring.center = edges[edge];
+        ring.edges = {ringB.center, face, ringA.center};
+        ring.diagonals = {edges[b], edges[Previous(a)]};
+        const float sharpnessA = ringA.edgeSharpness[faces[a]];
+        const float sharpnessB = ringB.edgeSharpness[ringB.Wrap(faces[b] + 1)];
+        ring.edgeSharpness = {sharpnessB, 0, sharpnessA};
+        if (isOpen[edge]) {
+            ring.isClosed = false;
+            return ring;
+        }
+        // Beyond the edge, from corner A's side and from corner B's.
+        ring.diagonals.push_back(ringA.edges[ringA.Wrap(faces[a] - 1)]);
+        ring.edges.push_back(ringA.diagonals[ringA.Wrap(faces[a] - 1)]);
+        ring.diagonals.push_back(ringB.edges[ringB.Wrap(faces[b] + 2)]);
+        ring.edgeSharpness.push_back(0);
+        return ring;
+    }
+};
+
+}  // namespace
+
+/// An edge that stays sharp for ever, or a boundary: nothing beyond it shapes the quad.
+bool IrregularPatch::_IsOpenEdge(int edge) const {
+    return rings[edge].edgeSharpness[faces[edge]] >= kInfiniteSharpness;
+}
+
+IrregularPatch GatherIrregular(const PatchTable& patches, uint32_t patch, const Vec3f* values) {
+    const uint32_t* corners = patches.Indices(patch);
+    IrregularPatch result;
+    for (int corner = 0; corner < 4; ++corner) {
+        result.rings[corner] = GatherRing(patches, corners[2 * corner], values);
+        result.faces[corner] = static_cast<int>(corners[2 * corner + 1]);
+    }
+    return result;
+}
+
+void IrregularPatch::Subdivide(IrregularPatch quarters[4]) const {
+    RefinedQuad refined;
+    refined.faces = faces;
+    for (int corner = 0; corner < 4; ++corner) {
+        refined.corners[corner] = rings[corner].Subdivide();
+    }
+    refined.face = refined.corners[0].diagonals[faces[0]];
+    for (int edge = 0; edge < 4; ++edge) {
+        refined.edges[edge] = refined.corners[edge].edges[faces[edge]];
+        refined.isOpen[edge] = _IsOpenEdge(edge);
+    }
+    VertexRing edgeRings[4];
+    for (int edge = 0; edge < 4; ++edge) {
+        edgeRings[edge] = refined.EdgeRing(edge);
+        edgeRings[edge].decay = rings[0].decay;
+    }
+    for (int corner = 0; corner < 4; ++corner) {
+        IrregularPatch& quarter = quarters[corner];
+        quarter.rings[corner] = refined.corners[corner];
+        quarter.faces[corner] = faces[corner];
+        // The edge to the next corner: the quarter is its ring's second face.
+        quarter.rings[Next(corner)] = edgeRings[corner];
+        quarter.faces[Next(corner)] = 1;
+        quarter.rings[Opposite(corner)] = refined.FaceRing(corner);
+        quarter.faces[Opposite(corner)] = 0;
+        quarter.rings[Previous(corner)] = edgeRings[Previous(corner)];
+        quarter.faces[Previous(corner)] = 0;
+    }
+}
+
+bool IrregularPatch::ToBSpline(Vec3f points[16]) const {
+    for (const VertexRing& ring : rings) {
+        if (!ring.IsRegular()) {
+            return false;
+        }
+    }
+    Vec3f grid[4][4];
+    bool isOpen[4];
+    const int rows[4] = {1, 1, 2, 2}, columns[4] = {1, 2, 2, 1};
+    const int outRow[4] = {-1, 0, 1, 0}, outColumn[4] = {0, 1, 0, -1};
+    const auto across = [&](int corner, int edge) -> Vec3f& {
+        corner &= 3;
+        return grid[rows[corner] + outRow[edge]][columns[corner] + outColumn[edge]];
+    };
+    const auto diagonal = [&](int corner) -> Vec3f& {
+        const int previous = Previous(corner);
+        return grid[rows[corner] + outRow[corner] + outRow[previous]]
+                   [columns[corner] + outColumn[corner] + outColumn[previous]];
+    };
+    for (int corner = 0; corner < 4; ++corner) {
+        grid[rows[corner]][columns[corner]] = rings[corner].center;
+        isOpen[corner] = _IsOpenEdge(corner);
+    }
+    for (int corner = 0; corner < 4; ++corner) {
+        const VertexRing& ring = rings[corner];
+        const int face = faces[corner];
+        if (ring.isClosed) {
+            across(corner, Previous(corner)) = ring.edges[ring.Wrap(face + 2)];
+            diagonal(corner) = ring.diagonals[ring.Wrap(face + 2)];
+            across(corner, corner) = ring.edges[ring.Wrap(face + 3)];
+        } else if (ring.FaceCount() == 2) {
+            (face == 0 ? across(corner, Previous(corner)) : across(corner, corner)) =
+                face == 0 ? ring.edges[2] : ring.edges[0];
+        }
+    }
+    // Beyond open edges the grid is extrapolated (paper, Figure 2d).
+    for (int edge = 0; edge < 4; ++edge) {
+        if (isOpen[edge]) {
+            const int a = edge, b = Next(edge);
+            across(a, edge) = rings[a].center * 2 - rings[Previous(a)].center;
+            across(b, edge) = rings[b].center * 2 - rings[Next(b)].center;
+        }
+    }
+    for (int corner = 0; corner < 4; ++corner) {
+        const int previous = Previous(corner), next = Next(corner);
+        if (isOpen[corner]) {
+            diagonal(corner) = across(corner, previous) * 2 - across(previous, previous);
+        } else if (isOpen[previous]) {
+            diagonal(corner) = across(corner, corner) * 2 - across(next, corner);
+        }
+    }
+    for (int i = 0; i < 16; ++i) {
+        points[i] = grid[i / 4][i % 4];
+    }
+    return true;
+}
+
+Box3f IrregularPatch::HullBox() const {
+    Box3f box;
+    for (const VertexRing& ring : rings) {
+        box.Extend(ring.center);
+        for (const Vec3f& p : ring.edges) {
+            box.Extend(p);
+        }
+        for (const Vec3f& p : ring.diagonals) {
+            box.Extend(p);
+        }
+    }
+    return box;
+}
+
+void IrregularPatch::LimitCorners(Vec3f corners[4]) const {
+    for (int corner = 0; corner < 4; ++corner) {
+        corners[corner] = rings[corner].LimitPosition();
+    }
+}
+
+void IrregularPatch::Translate(const Vec3f& by) {
+    for (VertexRing& ring : rings) {
+        ring.Translate(by);
+    }
+}
+
+}  // namespace cc
