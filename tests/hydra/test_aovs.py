@@ -127,10 +127,14 @@ def test_unsupported_aov_warns_and_converges(warnings: Any) -> None:
     view.execute()
 
 
-def test_aperture_offset_shifts_the_picture() -> None:
+@pytest.mark.parametrize("projection", ["orthographic", "perspective"])
+def test_aperture_offset_shifts_the_picture(projection: str) -> None:
     stage = make_stage(camera=False)
-    add_camera(stage, "/Camera")
-    add_camera(stage, "/Shifted", horizontalApertureOffset=10.0, verticalApertureOffset=-10.0)
+    # At the grid's distance both see four units.
+    lens: dict[str, Any] = {"projection": projection, "focalLength": 50.0}
+    offsets = {"horizontalApertureOffset": 10.0, "verticalApertureOffset": -10.0}
+    add_camera(stage, "/Camera", **lens)
+    add_camera(stage, "/Shifted", **lens, **offsets)
     add_grid(stage, half=4.0, size=8)
     plain = render(stage)["elementId"]
     shifted = render(stage, camera="/Shifted")["elementId"]
@@ -158,6 +162,15 @@ def test_data_window_beyond_the_buffer_is_cropped() -> None:
     whole = view.render()
     view.set_data_window(-8, -8, 48, 48, display=(32, 32))
     assert (view.render()["primId"] == whole["primId"]).all()
+
+
+def test_data_window_counts_from_the_top() -> None:
+    stage = make_stage()
+    add_grid(stage, bump=0.3)
+    view = View(stage)
+    whole = view.render()["elementId"]
+    view.set_data_window(0, -8, 32, 32, display=(32, 32))
+    assert (view.render()["elementId"] == whole[:24]).all()
 
 
 @pytest.mark.parametrize(

@@ -6,13 +6,14 @@ import numpy as np
 import OpenImageIO as oiio
 import pytest
 from hydra_kit import PLUGIN, add_cube, make_stage, render
-from pxr import Usd, UsdAppUtils, UsdGeom
+from pxr import Gf, Usd, UsdAppUtils, UsdGeom
 
 
 @pytest.mark.parametrize("suffix", ["exr", "png"])
 def test_records_color(tmp_path: Path, suffix: str) -> None:
     stage = make_stage(light=False)
-    add_cube(stage)
+    # To the upper left, so that a picture upside down is seen.
+    add_cube(stage).AddTranslateOp().Set(Gf.Vec3d(-0.75, 0.5, 0))
     recorder = UsdAppUtils.FrameRecorder(PLUGIN, False)
     recorder.SetImageWidth(32)
     path = tmp_path / f"frame.{suffix}"
@@ -24,7 +25,7 @@ def test_records_color(tmp_path: Path, suffix: str) -> None:
     inside = hit & np.roll(hit, 1, 0) & np.roll(hit, -1, 0) & np.roll(hit, 1, 1)
     inside &= np.roll(hit, -1, 1)
     assert (pixels[inside][:, :3] > 0.01).all()
-    assert (pixels[0, 0] == 0).all()
+    assert (pixels[-1, -1] == 0).all()
 
 
 def test_records_without_a_camera_prim(tmp_path: Path) -> None:
