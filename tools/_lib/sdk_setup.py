@@ -360,13 +360,19 @@ def replaced(target: Path) -> Iterator[Path]:
 
 @contextmanager
 def exclusive(sdk: Sdk, report: Report) -> Iterator[None]:
-    """Keeps other set-ups of the same folder waiting."""
+    """Keeps other set-ups of the same folder waiting, and tidies up after interrupted ones.
+
+    The programs that are run inherit the lock, so one that outlives a killed set-up holds it still.
+    """
     with (sdk.folder / "lock").open("w") as lock:
+        os.set_inheritable(lock.fileno(), True)
         try:
             fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError:
             report("waiting for another setup to finish")
             fcntl.flock(lock, fcntl.LOCK_EX)
+        for leftover in sdk.folder.glob("downloads-*"):
+            shutil.rmtree(leftover)
         yield
 
 
@@ -378,7 +384,9 @@ def write_file(path: Path, content: bytes) -> None:
 
 def run(command: list[str], env: dict[str, str] | None = None) -> str:
     """Runs a program and returns its output; its messages are shown only if it fails."""
-    finished = subprocess.run(command, capture_output=True, text=True, env=env, check=False)
+    finished = subprocess.run(
+        command, capture_output=True, text=True, env=env, check=False, close_fds=False
+    )
     if finished.returncode != 0:
         messages = (finished.stderr.strip() or finished.stdout.strip()).splitlines()
         raise SetupError("\n".join([f"{' '.join(command[:4])} ... failed:", *messages[-20:]]))
