@@ -10,8 +10,8 @@ namespace cc {
 namespace {
 
 /// Below this cosine between ray and normal, the limit surface may turn away from a ray that hit
-/// the side of a quad that faces it.
-constexpr float kGrazingCosine = 0.25f;
+/// the side of a triangle that faces it. The coarser the triangles, the more they may be off.
+float GrazingCosine(int level) { return level < 2 ? 1 / static_cast<float>(1 << level) : 0.25f; }
 
 /// Rounding errors of a point, in units of the last place of the largest number it is made from.
 constexpr float kOffsetUlps = 32;
@@ -26,8 +26,9 @@ LimitPoint LimitAtHit(const Instance& instance, const HitPacket& hits, int lane)
                          hits.u[lane], hits.v[lane]);
 }
 
-/// Normal of the traced quad that a point of a patch lies on, in object space and of any length.
-Vec3f QuadNormal(const Surface& surface, uint32_t patch, float u, float v, int level) {
+/// Normal of the traced triangle that a point of a patch lies on, in object space and of any
+/// length. Quads are cut from (0,0) to (1,1).
+Vec3f TriangleNormal(const Surface& surface, uint32_t patch, float u, float v, int level) {
     // As tracers do: a mesh that is refined deeper than the level is traced at that depth.
     const int splits =
         std::max(level, surface.Patches().MaxDepth()) - surface.Patches().At(patch).depth;
@@ -38,23 +39,24 @@ Vec3f QuadNormal(const Surface& surface, uint32_t patch, float u, float v, int l
     const auto corner = [&](float cu, float cv) {
         return EvaluateLimitValue(surface.Patches(), patch, surface.PatchPoints().data(), cu, cv);
     };
-    return Cross(corner(u0 + size, v0 + size) - corner(u0, v0),
-                 corner(u0, v0 + size) - corner(u0 + size, v0));
+    const Vec3f origin = corner(u0, v0);
+    const Vec3f diagonal = corner(u0 + size, v0 + size) - origin;
+    return u - u0 > v - v0 ? Cross(corner(u0 + size, v0) - origin, diagonal)
+                           : Cross(diagonal, corner(u0, v0 + size) - origin);
 }
 
 bool IsBehind(const Instance& instance, const LimitPoint& limit, const RayPacket& rays,
               const HitPacket& hits, int lane, int level) {
     const Vec3f direction = Normalize(instance.worldToObject.Direction(RayDirection(rays, lane)));
     const float cosine = Dot(limit.normal, direction);
-    if (std::fabs(cosine) > kGrazingCosine) {
+    if (std::fabs(cosine) > GrazingCosine(level)) {
         return cosine > 0;
     }
-    // At silhouettes the quad decides: a flipped normal would be lit from the far side.
+    // At silhouettes the triangle decides: a flipped normal would be lit from the far side.
     const Vec3f normal =
-        QuadNormal(*instance.surface, hits.patch[lane], hits.u[lane], hits.v[lane], level);
-    const float quadCosine = Dot(normal, direction);
+        TriangleNormal(*instance.surface, hits.patch[lane], hits.u[lane], hits.v[lane], level);
     const float orientation = Dot(normal, limit.normal);
-    return orientation == 0 ? cosine > 0 : (quadCosine > 0) == (orientation > 0);
+    return orientation == 0 ? cosine > 0 : (Dot(normal, direction) > 0) == (orientation > 0);
 }
 
 float LargestComponent(const Vec3f& v) {
