@@ -15,6 +15,7 @@
 #include "core/subdiv/extraordinaryPatch.h"
 #include "core/subdiv/irregularPatch.h"
 #include "core/trace/bezierRows-inl.h"
+#include "core/trace/quadBlock-inl.h"
 #include "core/trace/quadIntersection-inl.h"
 #include "core/trace/rayPacket.h"
 #include "core/trace/surface.h"
@@ -58,6 +59,21 @@ class PatchIntersector {
     }
 
     void Intersect(uint32_t patch, int firstRay) {
+        _isShortened = false;
+        _IntersectPatch(patch, firstRay);
+        if (_isShortened) {
+            _rays.Shortened();
+        }
+    }
+
+    /// True if every ray is done: only any-hit rays are, before the traversal is.
+    bool IsDone() const { return kAnyHit && _rays.rays.count == _doneRays; }
+
+  private:
+    using Tag = typename Rays::Tag;
+    static constexpr int kMaxSplits = 8;
+
+    void _IntersectPatch(uint32_t patch, int firstRay) {
         ++_statistics.leafIntersections;
         _patch = patch;
         const PatchTable& patches = _surface.Patches();
@@ -79,13 +95,6 @@ class PatchIntersector {
         _SetTolerance(&bezier.points[0][0], 16);
         _IntersectBezier(bezier, 0, 0, 1, splits, firstRay);
     }
-
-    /// True if every ray is done: only any-hit rays are, before the traversal is.
-    bool IsDone() const { return kAnyHit && _rays.rays.count == _doneRays; }
-
-  private:
-    using Tag = typename Rays::Tag;
-    static constexpr int kMaxSplits = 8;
 
     /// How far apart neighbouring patches may compute the same point.
     void _SetTolerance(const Vec3f* points, int count) {
@@ -208,8 +217,51 @@ class PatchIntersector {
                 _IntersectQuad(corners, box, part.u, part.v, part.size, first);
                 continue;
             }
+            if (part.splits == kBlockSplits) {
+                _IntersectBlock(part, _RaysThatHit(box, first));
+                continue;
+            }
             ++_statistics.subdivisionsRegular;
             _PushQuarters(part, first, stack, &count);
+        }
+    }
+
+    /// A bit for each ray from the first on that hits a box.
+    uint64_t _RaysThatHit(const Box3f& box, int firstRay) const {
+        const Tag d;
+        const int lanes = static_cast<int>(hn::Lanes(d));
+        uint64_t bits = 0;
+        for (int group = firstRay - firstRay % lanes; group < _rays.rays.count; group += lanes) {
+            alignas(8) uint8_t bytes[8] = {};
+            hn::StoreMaskBits(d, RaysHitBox(d, _rays.rays, group, box), bytes);
+            const uint64_t mask = bytes[0] | static_cast<uint64_t>(bytes[1]) << 8;
+            bits |= (mask & ((uint64_t(1) << lanes) - 1)) << group;
+        }
+        return bits;
+    }
+
+    /// The last levels of a part, evaluated whole, against the rays that reach its box.
+    void _IntersectBlock(const SubPatch& part, uint64_t hitting) {
+        ++_statistics.finalIntersections;
+        _statistics.activeLanes += hwy::PopCount(hitting);
+        QuadBlock block(part.bezier);
+        for (; hitting != 0; hitting &= hitting - 1) {
+            const int ray = __builtin_ctzll(hitting);
+            const BlockHit hit = block.Intersect(_rays.rays, ray, _tolerance);
+            if (!hit.isHit) {
+                continue;
+            }
+            _isShortened = true;
+            if (kAnyHit) {
+                ++_doneRays;
+                _rays.rays.tMax[ray] = -1;
+                continue;
+            }
+            _rays.rays.tMax[ray] = hit.t;
+            _hits->instance[ray] = _instance;
+            _hits->patch[ray] = _patch;
+            _hits->u[ray] = part.u + part.size * (part.isTransposed ? hit.v : hit.u);
+            _hits->v[ray] = part.v + part.size * (part.isTransposed ? hit.u : hit.v);
         }
     }
 
@@ -238,7 +290,6 @@ class PatchIntersector {
         const int lanes = static_cast<int>(hn::Lanes(d));
         const float longest =
             std::max(Length(corners[2] - corners[0]), Length(corners[3] - corners[1]));
-        bool isShortened = false;
         for (int group = firstRay - firstRay % lanes; group < _rays.rays.count; group += lanes) {
             if (hn::AllFalse(d, RaysHitBox(d, _rays.rays, group, box))) {
                 continue;
@@ -252,13 +303,10 @@ class PatchIntersector {
             const auto tMin = hn::Load(d, _rays.rays.tMin + group);
             const auto lower = IntersectTriangle(d, rays, c0, c1, c2, slack, tMin,
                                                  hn::Load(d, _rays.rays.tMax + group));
-            isShortened |= _Record(group, lower, u, v, size, true);
+            _isShortened |= _Record(group, lower, u, v, size, true);
             const auto upper = IntersectTriangle(d, rays, c0, c2, c3, slack, tMin,
                                                  hn::Load(d, _rays.rays.tMax + group));
-            isShortened |= _Record(group, upper, u, v, size, false);
-        }
-        if (isShortened) {
-            _rays.Shortened();
+            _isShortened |= _Record(group, upper, u, v, size, false);
         }
     }
 
@@ -308,6 +356,7 @@ class PatchIntersector {
     uint32_t _patch = 0;
     float _tolerance = 0;
     int _doneRays = 0;
+    bool _isShortened = false;
     std::vector<Vec3f> _ring;
 };
 
