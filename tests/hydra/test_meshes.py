@@ -174,6 +174,22 @@ def test_color_face_varying_indexed() -> None:
     assert np.allclose(found, [RED, BLUE, BLUE, RED], atol=3e-3)
 
 
+@pytest.mark.parametrize("orientation", ["rightHanded", "leftHanded"])
+def test_color_face_varying_stays_at_its_corners(orientation: str) -> None:
+    stage = make_stage()
+    mesh = add_grid(stage, size=1)
+    mesh.CreateOrientationAttr(orientation)
+    primvar = UsdGeom.PrimvarsAPI(mesh).CreatePrimvar(
+        "displayColor", Sdf.ValueTypeNames.Color3fArray, "faceVarying"
+    )
+    # Counter-clockwise from the lower left, as the face's vertices.
+    primvar.Set([RED, GREEN, BLUE, WHITE])
+    picture = render(stage)["color"][..., :3]
+    corners = (picture[31, 0], picture[31, 31], picture[0, 31], picture[0, 0])
+    for found, expected in zip(corners, (RED, GREEN, BLUE, WHITE), strict=True):
+        assert np.allclose(found / found.max(), expected, atol=0.1)
+
+
 def test_color_of_a_parent_is_inherited() -> None:
     stage = make_stage()
     parent = UsdGeom.Xform.Define(stage, "/World")
