@@ -34,7 +34,7 @@ Box3f ExtraordinaryBounds(const PatchTable& patches, uint32_t patch, const Vec3f
             box.Extend(BezierPatch::FromBSpline(quarter).SplitBounds());
         }
     }
-    for (const Vec3f& p : extraordinary.Points()) {
+    for (const Vec3f& p : extraordinary.ControlPoints()) {
         box.Extend(p);
     }
     return box;

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <vector>
-
+#include "core/math/inlineVector.h"
 #include "core/math/vec.h"
 
 namespace cc {
@@ -16,11 +15,15 @@ namespace cc {
 /// from (3,0) by (3,3) to (0,3) in grid columns and rows.
 class ExtraordinaryPatch {
   public:
-    ExtraordinaryPatch(const Vec3f* points, int valence)
-        : _valence(valence), _points(points, points + 2 * valence + 8) {}
+    /// Points up to which a patch needs no allocation: those of valence 8.
+    using Points = InlineVector<Vec3f, 24>;
+
+    ExtraordinaryPatch(const Vec3f* points, int valence) : _valence(valence) {
+        _points.assign(points, points + 2 * valence + 8);
+    }
 
     int Valence() const { return _valence; }
-    const std::vector<Vec3f>& Points() const { return _points; }
+    const Points& ControlPoints() const { return _points; }
 
     /// The three regular quarters of one Catmull-Clark step, as 4x4 B-spline points in rows along
     /// u: [0] is u > 1/2, v < 1/2; [1] is u > 1/2, v > 1/2; [2] is u < 1/2, v > 1/2.
@@ -48,8 +51,8 @@ class ExtraordinaryPatch {
     void _GatherGrid(Vec3f grid[4][4]) const;
 
     int _valence;
-    std::vector<Vec3f> _points;
-    std::vector<Vec3f> _scratch;
+    Points _points;
+    Points _scratch;
 };
 
 }  // namespace cc

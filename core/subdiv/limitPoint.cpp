@@ -1,7 +1,5 @@
 #include "core/subdiv/limitPoint.h"
 
-#include <vector>
-
 #include "core/subdiv/bezierPatch.h"
 #include "core/subdiv/extraordinaryPatch.h"
 #include "core/subdiv/irregularPatch.h"
@@ -24,7 +22,8 @@ struct RegularPiece {
 ExtraordinaryPatch GatherExtraordinary(const PatchTable& patches, uint32_t patch,
                                        const Vec3f* values) {
     const uint32_t* indices = patches.Indices(patch);
-    std::vector<Vec3f> points(patches.IndexCount(patch));
+    ExtraordinaryPatch::Points points;
+    points.resize(patches.IndexCount(patch));
     for (size_t i = 0; i < points.size(); ++i) {
         points[i] = values[indices[i]];
     }
@@ -34,7 +33,7 @@ ExtraordinaryPatch GatherExtraordinary(const PatchTable& patches, uint32_t patch
 /// The patch moved by -origin. With the extraordinary vertex's limit in the origin, subdivision
 /// towards it keeps its relative precision however small the patch gets.
 ExtraordinaryPatch MovedToOrigin(const ExtraordinaryPatch& patch, const Vec3f& origin) {
-    std::vector<Vec3f> points = patch.Points();
+    ExtraordinaryPatch::Points points = patch.ControlPoints();
     for (Vec3f& p : points) {
         p = p - origin;
     }

@@ -68,7 +68,7 @@ VertexRing VertexRing::Subdivide() const {
     return child;
 }
 
-Vec3f VertexRing::_EdgePoint(int edge, const std::vector<Vec3f>& facePoints) const {
+Vec3f VertexRing::_EdgePoint(int edge, const Diagonals& facePoints) const {
     const Vec3f middle = (center + edges[edge]) * 0.5f;
     const bool isEnd = !isClosed && (edge == 0 || edge == FaceCount());
     if (isEnd || edgeSharpness[edge] >= 1) {
@@ -81,8 +81,8 @@ Vec3f VertexRing::_EdgePoint(int edge, const std::vector<Vec3f>& facePoints) con
     return s > 0 ? smooth * (1 - s) + middle * s : smooth;
 }
 
-Vec3f VertexRing::_VertexPoint(Rule rule, const std::vector<float>& sharpness,
-                               const std::vector<Vec3f>& facePoints) const {
+Vec3f VertexRing::_VertexPoint(Rule rule, const Sharpnesses& sharpness,
+                               const Diagonals& facePoints) const {
     if (rule == Rule::Corner) {
         return center;
     }
@@ -99,7 +99,7 @@ Vec3f VertexRing::_VertexPoint(Rule rule, const std::vector<float>& sharpness,
     return center * (1 - 2 * inverse) + sum * (inverse * inverse);
 }
 
-void VertexRing::_CreaseNeighbors(const std::vector<float>& sharpness, Vec3f neighbors[2]) const {
+void VertexRing::_CreaseNeighbors(const Sharpnesses& sharpness, Vec3f neighbors[2]) const {
     if (!isClosed) {
         neighbors[0] = edges.front();
         neighbors[1] = edges.back();
@@ -133,14 +133,14 @@ void VertexRing::_DecaySharpness(VertexRing* child) const {
     float sum = 0;
     int count = 0;
     if (decay == SharpnessDecay::Chaikin) {
-        for (const auto* sharpnesses : {&edgeSharpness, &outsideSharpness}) {
-            for (float s : *sharpnesses) {
-                if (IsSemiSharp(s)) {
-                    sum += s;
-                    ++count;
-                }
+        const auto add = [&](const auto& sharpnesses) {
+            for (float s : sharpnesses) {
+                sum += IsSemiSharp(s) ? s : 0;
+                count += IsSemiSharp(s);
             }
-        }
+        };
+        add(edgeSharpness);
+        add(outsideSharpness);
     }
     for (float s : edgeSharpness) {
         child->edgeSharpness.push_back(DecayByNeighbors(s, sum, count));

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <vector>
-
+#include "core/math/inlineVector.h"
 #include "core/math/vec.h"
 
 namespace cc {
@@ -19,12 +18,17 @@ enum class SharpnessDecay { Uniform, Chaikin };
 ///
 /// Face j lies between edge neighbours j and j + 1, opposite to which is diagonal j.
 struct VertexRing {
+    /// Faces up to which a ring needs no allocation.
+    static constexpr size_t kInlineFaces = 7;
+    using Diagonals = InlineVector<Vec3f, kInlineFaces>;
+    using Sharpnesses = InlineVector<float, kInlineFaces + 1>;
+
     Vec3f center;
-    std::vector<Vec3f> edges;      ///< one a face if closed, one more if open
-    std::vector<Vec3f> diagonals;  ///< one a face
-    std::vector<float> edgeSharpness;
+    InlineVector<Vec3f, kInlineFaces + 1> edges;  ///< one a face if closed, one more if open
+    Diagonals diagonals;                          ///< one a face
+    Sharpnesses edgeSharpness;
     /// Sharpness of the vertex's edges that are not in an open ring, where it is above 0.
-    std::vector<float> outsideSharpness;
+    InlineVector<float, 2> outsideSharpness;
     float vertexSharpness = 0;
     bool isClosed = true;
     SharpnessDecay decay = SharpnessDecay::Uniform;
@@ -53,11 +57,11 @@ struct VertexRing {
 
     Rule _VertexRule() const;
     bool _IsDart() const;
-    Vec3f _EdgePoint(int edge, const std::vector<Vec3f>& facePoints) const;
-    Vec3f _VertexPoint(Rule rule, const std::vector<float>& sharpness,
-                       const std::vector<Vec3f>& facePoints) const;
+    Vec3f _EdgePoint(int edge, const Diagonals& facePoints) const;
+    Vec3f _VertexPoint(Rule rule, const Sharpnesses& sharpness,
+                       const Diagonals& facePoints) const;
     /// The two neighbours along the sharp edges, of which there must be two.
-    void _CreaseNeighbors(const std::vector<float>& sharpness, Vec3f neighbors[2]) const;
+    void _CreaseNeighbors(const Sharpnesses& sharpness, Vec3f neighbors[2]) const;
     void _DecaySharpness(VertexRing* child) const;
     float _FractionalWeight(const VertexRing& child) const;
 };

@@ -118,7 +118,7 @@ class PatchIntersector {
         float size = 1;
         for (; splits > 0; --splits) {
             Box3f box;
-            for (const Vec3f& p : extraordinary.Points()) {
+            for (const Vec3f& p : extraordinary.ControlPoints()) {
                 box.Extend(p);
             }
             firstRay = _FirstRay(_Widened(box), firstRay);
