@@ -1,0 +1,171 @@
+"""Writes control cages, lights and cameras to a USD stage, the same bytes each time."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from mesh_kit import ControlCage
+from numpy.typing import ArrayLike, NDArray
+from pxr import Gf, Usd, UsdGeom, UsdLux, Vt
+
+
+@dataclass
+class Colour:
+    """A displayColor: values, how they lie on the surface, and optionally indices into them."""
+
+    interpolation: str
+    values: ArrayLike
+    indices: ArrayLike | None = None
+
+
+def colour_by_label(cage: ControlCage, palette: Mapping[str, ArrayLike]) -> Colour:
+    """One colour a face, looked up by the face's label."""
+    names = sorted(set(cage.labels))
+    missing = [name for name in names if name not in palette]
+    if missing:
+        raise KeyError(f"the palette lacks {', '.join(missing)}")
+    index_of = {name: index for index, name in enumerate(names)}
+    indices = [index_of[label] for label in cage.labels]
+    return Colour("uniform", [palette[name] for name in names], indices)
+
+
+def colour_by_vertex(values: ArrayLike) -> Colour:
+    """One colour a control vertex, smooth over the surface."""
+    return Colour("vertex", np.clip(np.asarray(values), 0.0, 1.0))
+
+
+def rounded(values: ArrayLike, digits: int = 3) -> NDArray[np.float32]:
+    """Values short enough to write, with no negative zero."""
+    return (np.round(np.asarray(values, dtype=np.float64), digits) + 0.0).astype(np.float32)
+
+
+def new_stage(documentation: str, metres_per_unit: float = 0.01) -> Usd.Stage:
+    """An empty stage with a /World, Y up."""
+    stage = Usd.Stage.CreateInMemory()
+    stage.SetMetadata("documentation", documentation)
+    UsdGeom.SetStageUpAxis(stage, UsdGeom.Tokens.y)
+    UsdGeom.SetStageMetersPerUnit(stage, metres_per_unit)
+    stage.SetDefaultPrim(UsdGeom.Xform.Define(stage, "/World").GetPrim())
+    return stage
+
+
+def place(
+    prim: UsdGeom.Xformable,
+    translate: ArrayLike = (0, 0, 0),
+    rotate: ArrayLike = (0, 0, 0),
+    scale: float = 1.0,
+) -> None:
+    """Gives a prim a transform, leaving out what is the identity."""
+    if np.any(translate):
+        prim.AddTranslateOp().Set(Gf.Vec3d(*(float(value) for value in translate)))
+    if np.any(rotate):
+        prim.AddRotateXYZOp().Set(Gf.Vec3f(*(float(value) for value in rotate)))
+    if scale != 1.0:
+        prim.AddScaleOp().Set(Gf.Vec3f(scale))
+
+
+def add_cage(
+    stage: Usd.Stage, path: str, cage: ControlCage, colour: Colour, double_sided: bool = False
+) -> UsdGeom.Mesh:
+    """Writes a cage as a Catmull-Clark mesh with all that the cage knows about itself."""
+    mesh = UsdGeom.Mesh.Define(stage, path)
+    points = rounded(cage.points)
+    mesh.CreateExtentAttr(Vt.Vec3fArray.FromNumpy(np.stack([points.min(0), points.max(0)])))
+    counts = np.array([len(face) for face in cage.faces], dtype=np.int32)
+    indices = np.array([vertex for face in cage.faces for vertex in face], dtype=np.int32)
+    mesh.CreateFaceVertexCountsAttr(Vt.IntArray.FromNumpy(counts))
+    mesh.CreateFaceVertexIndicesAttr(Vt.IntArray.FromNumpy(indices))
+    mesh.CreatePointsAttr(Vt.Vec3fArray.FromNumpy(points))
+    mesh.CreateSubdivisionSchemeAttr(UsdGeom.Tokens.catmullClark)
+    mesh.CreateInterpolateBoundaryAttr(UsdGeom.Tokens.edgeAndCorner)
+    mesh.CreateOrientationAttr(UsdGeom.Tokens.rightHanded)
+    mesh.CreateDoubleSidedAttr(double_sided)
+    if cage.holes:
+        mesh.CreateHoleIndicesAttr(cage.holes)
+    if cage.creases:
+        mesh.CreateCreaseIndicesAttr([vertex for chain, _ in cage.creases for vertex in chain])
+        mesh.CreateCreaseLengthsAttr([len(chain) for chain, _ in cage.creases])
+        mesh.CreateCreaseSharpnessesAttr([sharpness for _, sharpness in cage.creases])
+    _set_colour(mesh, colour)
+    return mesh
+
+
+def _set_colour(mesh: UsdGeom.Mesh, colour: Colour) -> None:
+    primvar = mesh.CreateDisplayColorPrimvar(colour.interpolation)
+    values = np.atleast_2d(rounded(colour.values))
+    primvar.Set(Vt.Vec3fArray.FromNumpy(np.ascontiguousarray(values)))
+    if colour.indices is not None:
+        primvar.SetIndices(Vt.IntArray([int(index) for index in colour.indices]))
+
+
+def look_at(eye: ArrayLike, target: ArrayLike) -> Gf.Matrix4d:
+    """The transform of a camera or light at eye that looks along -Z at target."""
+    towards = Gf.Matrix4d().SetLookAt(
+        Gf.Vec3d(*map(float, eye)), Gf.Vec3d(*map(float, target)), Gf.Vec3d(0, 1, 0)
+    )
+    inverse = towards.GetInverse()
+    return Gf.Matrix4d(
+        *(round(inverse[row][column], 6) + 0.0 for row in range(4) for column in range(4))
+    )
+
+
+def add_camera(
+    stage: Usd.Stage, path: str, eye: ArrayLike, target: ArrayLike, focal_length: float
+) -> UsdGeom.Camera:
+    """A 16:9 camera with a 36 mm wide aperture."""
+    camera = UsdGeom.Camera.Define(stage, path)
+    camera.AddTransformOp().Set(look_at(eye, target))
+    camera.CreateHorizontalApertureAttr(36.0)
+    camera.CreateVerticalApertureAttr(20.25)
+    camera.CreateFocalLengthAttr(focal_length)
+    camera.CreateClippingRangeAttr(Gf.Vec2f(0.1, 1000.0))
+    camera.CreateFocusDistanceAttr(round(float(np.linalg.norm(np.subtract(eye, target))), 3))
+    return camera
+
+
+def add_distant_light(
+    stage: Usd.Stage, path: str, towards: ArrayLike, intensity: float, colour: ArrayLike
+) -> None:
+    """A sun or moon whose light travels along the direction; intensity is its irradiance."""
+    light = UsdLux.DistantLight.Define(stage, path)
+    light.AddTransformOp().Set(look_at((0, 0, 0), towards))
+    light.CreateAngleAttr(0.53)
+    _set_light(light, intensity, colour)
+
+
+def add_sphere_light(
+    stage: Usd.Stage,
+    path: str,
+    position: ArrayLike,
+    radius: float,
+    intensity: float,
+    colour: ArrayLike,
+) -> None:
+    """A lamp; intensity is four times its irradiance at distance one, whatever its radius."""
+    light = UsdLux.SphereLight.Define(stage, path)
+    place(light, translate=position)
+    light.CreateRadiusAttr(radius)
+    _set_light(light, intensity, colour)
+
+
+def _set_light(light: UsdLux.BoundableLightBase, intensity: float, colour: ArrayLike) -> None:
+    light.CreateIntensityAttr(intensity)
+    light.CreateColorAttr(Gf.Vec3f(*(float(value) for value in colour)))
+    light.CreateNormalizeAttr(True)
+
+
+def save(stage: Usd.Stage, path: Path) -> None:
+    """Writes the stage, or raises OSError with a message that names the path."""
+    if not path.parent.is_dir():
+        raise OSError(f"no such folder: {path.parent}")
+    if not stage.GetRootLayer().Export(str(path)):
+        raise OSError(f"could not write {path}")
+
+
+def face_count(stage: Usd.Stage) -> int:
+    """The number of base faces on a stage."""
+    meshes = [UsdGeom.Mesh(prim) for prim in stage.Traverse() if prim.IsA(UsdGeom.Mesh)]
+    return sum(len(mesh.GetFaceVertexCountsAttr().Get()) for mesh in meshes)
