@@ -32,12 +32,23 @@ std::string CheckFaces(const ControlMesh& mesh, size_t pointCount) {
     return {};
 }
 
-void WarnOfSmallFaces(const ControlMesh& mesh, ControlMeshReport* report) {
-    const size_t small = std::count_if(mesh.faceVertexCounts.begin(), mesh.faceVertexCounts.end(),
-                                       [](int count) { return count < 3; });
-    if (small > 0) {
-        report->warnings.push_back(std::to_string(small) +
-                                   " faces have fewer than three vertices and are left out");
+void WarnOfDegenerateFaces(const ControlMesh& mesh, ControlMeshReport* report) {
+    size_t collapsed = 0, leftOut = 0;
+    const int* face = mesh.faceVertexIndices.data();
+    for (int count : mesh.faceVertexCounts) {
+        const size_t kept = KeptCorners(face, count).size();
+        leftOut += kept == 0;
+        collapsed += kept > 0 && kept < static_cast<size_t>(count);
+        face += count;
+    }
+    if (leftOut > 0) {
+        report->warnings.push_back(std::to_string(leftOut) +
+                                   " faces have fewer than three vertices, or one of them twice, "
+                                   "and are left out");
+    }
+    if (collapsed > 0) {
+        report->warnings.push_back(std::to_string(collapsed) +
+                                   " faces have collapsed edges, which are taken out");
     }
 }
 
@@ -181,11 +192,27 @@ void MendCorners(ControlMesh* mesh, size_t pointCount, ControlMeshReport* report
 
 }  // namespace
 
+std::vector<int> KeptCorners(const int* vertices, int count) {
+    std::vector<int> kept;
+    for (int i = 0; i < count; ++i) {
+        if (vertices[i] != vertices[(i + count - 1) % count]) {
+            kept.push_back(i);
+        }
+    }
+    std::vector<int> sorted;
+    for (int corner : kept) {
+        sorted.push_back(vertices[corner]);
+    }
+    std::sort(sorted.begin(), sorted.end());
+    const bool meetsTwice = std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
+    return kept.size() < 3 || meetsTwice ? std::vector<int>() : kept;
+}
+
 ControlMeshReport ValidateControlMesh(ControlMesh* mesh, size_t pointCount) {
     ControlMeshReport report;
     report.error = CheckFaces(*mesh, pointCount);
     if (report.IsValid()) {
-        WarnOfSmallFaces(*mesh, &report);
+        WarnOfDegenerateFaces(*mesh, &report);
         MendHoles(mesh, &report);
         MendCreases(mesh, &report);
         MendCorners(mesh, pointCount, &report);

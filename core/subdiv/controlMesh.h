@@ -52,9 +52,14 @@ struct ControlMeshReport {
 
 /// Checks the topology and the tags against a number of points, and mends what can be mended:
 /// tags that name no vertex, edge or face of the mesh are dropped, sharpness is clamped to
-/// [0, 10], repeated holes are merged and faces with fewer than three vertices are left out.
+/// [0, 10] and repeated holes are merged. Faces that KeptCorners gives nothing for are left out.
 /// Creases are rewritten as runs of two vertices with one sharpness each.
 /// Counts that do not add up and indices out of range cannot be mended.
 ControlMeshReport ValidateControlMesh(ControlMesh* mesh, size_t pointCount);
+
+/// The corners of a face that are left when neighbouring corners that share a vertex are merged:
+/// a quad with a collapsed edge is a triangle. Empty if that leaves fewer than three, or if the face
+/// still meets a vertex twice: it has no inside then.
+std::vector<int> KeptCorners(const int* vertices, int count);
 
 }  // namespace cc

@@ -205,15 +205,20 @@ RefinementLevel::RefinementLevel(const ControlMesh& mesh, size_t pointCount, std
     size_t first = 0;
     for (size_t face = 0; face < mesh.faceVertexCounts.size(); ++face) {
         const int count = mesh.faceVertexCounts[face];
-        if (count >= 3) {
-            description.counts.push_back(count);
-            description.indices.insert(description.indices.end(),
-                                       mesh.faceVertexIndices.begin() + first,
-                                       mesh.faceVertexIndices.begin() + first + count);
-            _origins.push_back(
-                {static_cast<uint32_t>(face), 0, 0, 0, 0, false, isHole[face] == 0});
-        }
+        const int* vertices = mesh.faceVertexIndices.data() + first;
+        std::vector<int> kept = KeptCorners(vertices, count);
         first += count;
+        if (kept.empty()) {
+            continue;
+        }
+        description.counts.push_back(static_cast<int>(kept.size()));
+        for (int corner : kept) {
+            description.indices.push_back(vertices[corner]);
+        }
+        if (kept.size() < static_cast<size_t>(count)) {
+            _keptCorners[FaceCount()] = std::move(kept);
+        }
+        _origins.push_back({static_cast<uint32_t>(face), 0, 0, 0, 0, false, isHole[face] == 0});
     }
     AddCreases(mesh, &description);
     for (size_t i = 0; i < mesh.cornerIndices.size(); ++i) {
@@ -271,6 +276,10 @@ RefinementLevel::RefinementLevel(RefinementLevel* parent, const std::vector<int>
             description.indices.insert(description.indices.end(), vertices, vertices + 4);
             FaceOrigin child = ChildOrigin(origin, corner, isQuad);
             child.isVisible = origin.isVisible && isRefined[partFaces[face]];
+            const auto kept = parent->_keptCorners.find(partFaces[face]);
+            if (!isQuad && kept != parent->_keptCorners.end()) {
+                child.corner = kept->second[corner];
+            }
             _origins.push_back(child);
         }
     }

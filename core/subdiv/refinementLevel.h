@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -27,7 +28,7 @@ struct FaceOrigin {
 /// level holds the faces that still need refinement and their neighbours, one step finer.
 class RefinementLevel {
   public:
-    /// The cage. Faces with fewer than three vertices are left out. On failure IsValid is false
+    /// The cage, without collapsed edges and faces that have no inside (KeptCorners). On failure IsValid is false
     /// and error says why.
     RefinementLevel(const ControlMesh& mesh, size_t pointCount, std::string* error);
 
@@ -58,6 +59,8 @@ class RefinementLevel {
     std::unique_ptr<OpenSubdiv::Far::TopologyRefiner> _refiner;
     RefinementLevel* _parent = nullptr;
     std::vector<FaceOrigin> _origins;
+    /// Of the cage's faces that lost corners: which they kept.
+    std::map<int, std::vector<int>> _keptCorners;
     /// Above the cage: how a vertex comes from the parent's.
     std::vector<MaskRow> _rows;
     std::vector<uint32_t> _patchPoints;

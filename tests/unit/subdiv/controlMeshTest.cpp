@@ -87,6 +87,33 @@ TEST(ControlMesh, MendsCorners) {
     EXPECT_EQ(cage.mesh.cornerSharpnesses, (std::vector<float>{10}));
 }
 
+TEST(ControlMesh, MergesCornersThatShareAVertex) {
+    const auto kept = [](const std::vector<int>& face) {
+        return KeptCorners(face.data(), static_cast<int>(face.size()));
+    };
+    EXPECT_EQ(kept({5, 6, 7, 8}), (std::vector<int>{0, 1, 2, 3}));
+    EXPECT_EQ(kept({5, 6, 7, 7}), (std::vector<int>{0, 1, 2}));
+    EXPECT_EQ(kept({5, 6, 7, 5}), (std::vector<int>{1, 2, 3}));
+    EXPECT_TRUE(kept({5, 5, 7, 7}).empty());
+    EXPECT_TRUE(kept({5, 6, 5, 7}).empty());
+    EXPECT_TRUE(kept({}).empty());
+}
+
+TEST(PatchBuilder, TakesQuadsWithACollapsedEdgeForTriangles) {
+    ControlMesh quad, triangle;
+    quad.faceVertexCounts = {4};
+    quad.faceVertexIndices = {0, 1, 2, 2};
+    triangle.faceVertexCounts = {3};
+    triangle.faceVertexIndices = {0, 1, 2};
+    EXPECT_EQ(ValidateControlMesh(&quad, 3).warnings.size(), 1u);
+    std::string error;
+    const PatchTable a = BuildPatchTable(quad, 3, &error), b = BuildPatchTable(triangle, 3, &error);
+    const std::vector<Vec3f> points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    ASSERT_EQ(a.Count(), 3u);
+    ASSERT_EQ(b.Count(), 3u);
+    EXPECT_EQ(a.PatchPoints(points), b.PatchPoints(points));
+}
+
 TEST(PatchBuilder, SurvivesTopologyNobodyShouldWrite) {
     struct Case {
         std::vector<int> counts, indices;
