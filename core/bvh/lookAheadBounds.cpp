@@ -60,10 +60,8 @@ Box3f IrregularBounds(const IrregularPatch& patch, int steps) {
 Box3f SurfaceBounds(const PatchTable& patches, uint32_t patch, const Vec3f* points) {
     switch (patches.At(patch).kind) {
         case PatchKind::Regular:
-        case PatchKind::Bilinear:
-            return GatherBezier(patches, patch, points).SplitBounds();
-        case PatchKind::Extraordinary:
-            return ExtraordinaryBounds(patches, patch, points);
+        case PatchKind::Bilinear: return GatherBezier(patches, patch, points).SplitBounds();
+        case PatchKind::Extraordinary: return ExtraordinaryBounds(patches, patch, points);
         case PatchKind::Irregular:
             return IrregularBounds(GatherIrregular(patches, patch, points), kIrregularSteps);
     }

@@ -25,8 +25,7 @@ Vec3f AffineTransform::Direction(const Vec3f& d) const {
 Vec3f AffineTransform::NormalByInverse(const Vec3f& n) const {
     Vec3f result;
     for (int c = 0; c < 3; ++c) {
-        result[c] =
-            static_cast<float>(_rows[0][c] * n.x + _rows[1][c] * n.y + _rows[2][c] * n.z);
+        result[c] = static_cast<float>(_rows[0][c] * n.x + _rows[1][c] * n.y + _rows[2][c] * n.z);
     }
     return result;
 }
@@ -85,8 +84,8 @@ AffineTransform operator*(const AffineTransform& a, const AffineTransform& b) {
     std::array<std::array<double, 4>, 3> rows{};
     for (int r = 0; r < 3; ++r) {
         for (int c = 0; c < 4; ++c) {
-            rows[r][c] = a(r, 0) * b(0, c) + a(r, 1) * b(1, c) + a(r, 2) * b(2, c) +
-                         (c == 3 ? a(r, 3) : 0);
+            rows[r][c] =
+                a(r, 0) * b(0, c) + a(r, 1) * b(1, c) + a(r, 2) * b(2, c) + (c == 3 ? a(r, 3) : 0);
         }
     }
     return AffineTransform(rows);

@@ -156,10 +156,9 @@ void MendCreases(ControlMesh* mesh, ControlMeshReport* report) {
 
 void MendCorners(ControlMesh* mesh, size_t pointCount, ControlMeshReport* report) {
     if (mesh->cornerIndices.size() != mesh->cornerSharpnesses.size()) {
-        report->warnings.push_back(std::to_string(mesh->cornerSharpnesses.size()) +
-                                   " cornerSharpnesses for " +
-                                   std::to_string(mesh->cornerIndices.size()) +
-                                   " cornerIndices; corners are ignored");
+        report->warnings.push_back(
+            std::to_string(mesh->cornerSharpnesses.size()) + " cornerSharpnesses for " +
+            std::to_string(mesh->cornerIndices.size()) + " cornerIndices; corners are ignored");
         mesh->cornerIndices.clear();
         mesh->cornerSharpnesses.clear();
         return;

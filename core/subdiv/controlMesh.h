@@ -58,8 +58,8 @@ struct ControlMeshReport {
 ControlMeshReport ValidateControlMesh(ControlMesh* mesh, size_t pointCount);
 
 /// The corners of a face that are left when neighbouring corners that share a vertex are merged:
-/// a quad with a collapsed edge is a triangle. Empty if that leaves fewer than three, or if the face
-/// still meets a vertex twice: it has no inside then.
+/// a quad with a collapsed edge is a triangle. Empty if that leaves fewer than three, or if the
+/// face still meets a vertex twice: it has no inside then.
 std::vector<int> KeptCorners(const int* vertices, int count);
 
 }  // namespace cc

@@ -20,7 +20,8 @@ bool IsSharp(const TopologyLevel& level, Index edge) {
 }
 
 VertexRule RuleOf(const TopologyLevel& level, Index vertex) {
-    if (level.IsVertexNonManifold(vertex) || Crease::IsSemiSharp(level.GetVertexSharpness(vertex))) {
+    if (level.IsVertexNonManifold(vertex) ||
+        Crease::IsSemiSharp(level.GetVertexSharpness(vertex))) {
         return VertexRule::Irregular;
     }
     int sharpEdges = 0;
@@ -112,14 +113,11 @@ class OneRingGatherer {
     bool _GatherCorner(int corner) {
         const bool nextOpen = _ring->isOpen[corner], previousOpen = _ring->isOpen[(corner + 3) & 3];
         switch (RuleOf(_level, _vertices[corner])) {
-            case VertexRule::Smooth:
-                return _GatherSmoothCorner(corner);
+            case VertexRule::Smooth: return _GatherSmoothCorner(corner);
             case VertexRule::Crease:
                 return nextOpen != previousOpen && _GatherCreaseCorner(corner, nextOpen);
-            case VertexRule::Corner:
-                return nextOpen && previousOpen;
-            case VertexRule::Irregular:
-                break;
+            case VertexRule::Corner: return nextOpen && previousOpen;
+            case VertexRule::Irregular: break;
         }
         return false;
     }

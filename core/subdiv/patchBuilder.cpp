@@ -98,8 +98,8 @@ class CatmullClarkBuilder {
                 _At(GridDiagonal(corner)) = _Extrapolate(_At(GridAcross(corner, previous)),
                                                          _At(GridAcross(previous, previous)));
             } else if (_ring.isOpen[previous]) {
-                _At(GridDiagonal(corner)) = _Extrapolate(_At(GridAcross(corner, next)),
-                                                         _At(GridAcross(corner + 1, next)));
+                _At(GridDiagonal(corner)) =
+                    _Extrapolate(_At(GridAcross(corner, next)), _At(GridAcross(corner + 1, next)));
             }
         }
     }
@@ -236,8 +236,8 @@ void AddBilinear(const ControlMesh& mesh, PatchTable* table) {
         }
         patch.depth = 1;
         patch.isSubQuad = 1;
-        const uint32_t center = table->AddPoint(
-            {points, std::vector<float>(count, 1.0f / static_cast<float>(count))});
+        const uint32_t center =
+            table->AddPoint({points, std::vector<float>(count, 1.0f / static_cast<float>(count))});
         std::vector<uint32_t> middles;
         for (int i = 0; i < count; ++i) {
             middles.push_back(
@@ -256,8 +256,8 @@ void AddBilinear(const ControlMesh& mesh, PatchTable* table) {
 
 PatchTable BuildPatchTable(const ControlMesh& mesh, size_t pointCount, std::string* error) {
     error->clear();
-    const SharpnessDecay decay = mesh.creaseRule == CreaseRule::Chaikin ? SharpnessDecay::Chaikin
-                                                                        : SharpnessDecay::Uniform;
+    const SharpnessDecay decay =
+        mesh.creaseRule == CreaseRule::Chaikin ? SharpnessDecay::Chaikin : SharpnessDecay::Uniform;
     PatchTable table(pointCount, mesh.leftHanded, decay);
     if (mesh.scheme == Scheme::CatmullClark) {
         AddCatmullClark(mesh, pointCount, &table, error);

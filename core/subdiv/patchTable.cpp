@@ -7,14 +7,10 @@ namespace cc {
 
 int PatchTable::IndexCount(uint32_t patch) const {
     switch (_patches[patch].kind) {
-        case PatchKind::Regular:
-            return 16;
-        case PatchKind::Bilinear:
-            return 4;
-        case PatchKind::Irregular:
-            return 8;
-        case PatchKind::Extraordinary:
-            break;
+        case PatchKind::Regular: return 16;
+        case PatchKind::Bilinear: return 4;
+        case PatchKind::Irregular: return 8;
+        case PatchKind::Extraordinary: break;
     }
     return 2 * _patches[patch].valence + 8;
 }
@@ -44,17 +40,10 @@ FaceParameter PatchTable::ToFace(uint32_t patch, float u, float v) const {
     const Patch& p = _patches[patch];
     float cellU = u, cellV = v;
     switch (p.rotation) {
-        case 1:
-            cellU = 1 - v, cellV = u;
-            break;
-        case 2:
-            cellU = 1 - u, cellV = 1 - v;
-            break;
-        case 3:
-            cellU = v, cellV = 1 - u;
-            break;
-        default:
-            break;
+        case 1: cellU = 1 - v, cellV = u; break;
+        case 2: cellU = 1 - u, cellV = 1 - v; break;
+        case 3: cellU = v, cellV = 1 - u; break;
+        default: break;
     }
     const float size = 1.0f / static_cast<float>(1 << (p.depth - p.isSubQuad));
     return {p.face, p.corner, (static_cast<float>(p.cellU) + cellU) * size,

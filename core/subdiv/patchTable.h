@@ -26,14 +26,14 @@ enum class PatchKind : uint8_t {
 
 /// One quad of the surface with its 1-ring.
 struct Patch {
-    uint32_t firstIndex;  ///< into PatchTable's index array
-    uint32_t face;        ///< the authored face
-    uint32_t corner;      ///< of an n-gon: which of its n sub-quads; else 0
+    uint32_t firstIndex;    ///< into PatchTable's index array
+    uint32_t face;          ///< the authored face
+    uint32_t corner;        ///< of an n-gon: which of its n sub-quads; else 0
     uint16_t cellU, cellV;  ///< which of the 2^cellDepth x 2^cellDepth cells of the (sub-)quad
     uint16_t valence;       ///< largest at its corners: 4 if it is regular
     uint8_t depth;          ///< refinement steps between the cage and this quad
     PatchKind kind : 4;
-    uint8_t rotation : 2;  ///< corner of the cell that (0,0) of the patch lies at
+    uint8_t rotation : 2;   ///< corner of the cell that (0,0) of the patch lies at
     uint8_t isSubQuad : 1;  ///< the authored face is not a quad: cells count from its sub-quads
 };
 
@@ -72,8 +72,8 @@ class PatchTable {
     size_t Count() const { return _patches.size(); }
     const Patch& At(uint32_t patch) const { return _patches[patch]; }
     const uint32_t* Indices(uint32_t patch) const { return &_indices[_patches[patch].firstIndex]; }
-    /// Number of indices of a patch: of its points, or for an irregular one four pairs of a ring and
-    /// a face of it.
+    /// Number of indices of a patch: of its points, or for an irregular one four pairs of a ring
+    /// and a face of it.
     int IndexCount(uint32_t patch) const;
     uint32_t AuthoredFace(uint32_t patch) const { return _patches[patch].face; }
     /// Refinement steps of the patch that took most of them.

@@ -74,8 +74,9 @@ Sdc::Options OptionsOf(const ControlMesh& mesh) {
         mesh.boundaryRule == BoundaryRule::None       ? Sdc::Options::VTX_BOUNDARY_NONE
         : mesh.boundaryRule == BoundaryRule::EdgeOnly ? Sdc::Options::VTX_BOUNDARY_EDGE_ONLY
                                                       : Sdc::Options::VTX_BOUNDARY_EDGE_AND_CORNER);
-    options.SetCreasingMethod(mesh.creaseRule == CreaseRule::Chaikin ? Sdc::Options::CREASE_CHAIKIN
-                                                                     : Sdc::Options::CREASE_UNIFORM);
+    options.SetCreasingMethod(mesh.creaseRule == CreaseRule::Chaikin
+                                  ? Sdc::Options::CREASE_CHAIKIN
+                                  : Sdc::Options::CREASE_UNIFORM);
     options.SetTriangleSubdivision(mesh.triangleRule == TriangleRule::Smooth
                                        ? Sdc::Options::TRI_SUB_SMOOTH
                                        : Sdc::Options::TRI_SUB_CATMARK);
@@ -244,8 +245,7 @@ RefinementLevel::RefinementLevel(RefinementLevel* parent, const std::vector<int>
     : _parent(parent) {
     const Far::TopologyLevel parentLevel = parent->Topology();
     const std::vector<int> partFaces = FacesAndNeighbors(parentLevel, faces);
-    Part part =
-        ExtractPart(parentLevel, partFaces, parent->_refiner->GetSchemeOptions());
+    Part part = ExtractPart(parentLevel, partFaces, parent->_refiner->GetSchemeOptions());
     if (!part.refiner) {
         return;
     }

@@ -17,8 +17,7 @@ float DecayByNeighbors(float sharpness, float semiSharpSum, int semiSharpCount) 
     if (!IsSemiSharp(sharpness) || semiSharpCount < 2) {
         return DecayUniformly(sharpness);
     }
-    const float others =
-        (semiSharpSum - sharpness) / static_cast<float>(semiSharpCount - 1);
+    const float others = (semiSharpSum - sharpness) / static_cast<float>(semiSharpCount - 1);
     return std::max(0.75f * sharpness + 0.25f * others - 1, 0.0f);
 }
 
@@ -35,12 +34,9 @@ bool VertexRing::IsRegular() const {
         return false;
     }
     switch (_VertexRule()) {
-        case Rule::Smooth:
-            return FaceCount() == 4;
-        case Rule::Crease:
-            return FaceCount() == 2;
-        case Rule::Corner:
-            return FaceCount() == 1;
+        case Rule::Smooth: return FaceCount() == 4;
+        case Rule::Crease: return FaceCount() == 2;
+        case Rule::Corner: return FaceCount() == 1;
     }
     return false;
 }
@@ -61,9 +57,8 @@ VertexRing VertexRing::Subdivide() const {
     child.center = _VertexPoint(rule, edgeSharpness, child.diagonals);
     if (rule != childRule) {
         const float weight = _FractionalWeight(child);
-        child.center =
-            child.center * weight +
-            _VertexPoint(childRule, child.edgeSharpness, child.diagonals) * (1 - weight);
+        child.center = child.center * weight +
+                       _VertexPoint(childRule, child.edgeSharpness, child.diagonals) * (1 - weight);
     }
     return child;
 }
@@ -124,8 +119,8 @@ VertexRing::Rule VertexRing::_VertexRule() const {
 }
 
 bool VertexRing::_IsDart() const {
-    return isClosed && std::any_of(edgeSharpness.begin(), edgeSharpness.end(),
-                                   [](float s) { return s > 0; }) &&
+    return isClosed &&
+           std::any_of(edgeSharpness.begin(), edgeSharpness.end(), [](float s) { return s > 0; }) &&
            _VertexRule() == Rule::Smooth;
 }
 

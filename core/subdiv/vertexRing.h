@@ -39,11 +39,12 @@ struct VertexRing {
 
     /// True if every tag has settled: what is sharp is so for ever.
     bool IsSettled() const;
-    /// True if the surface at the vertex is a bicubic B-spline: an interior vertex of valence 4, two
-    /// faces along a boundary or crease, or one face in a corner.
+    /// True if the surface at the vertex is a bicubic B-spline: an interior vertex of valence 4,
+    /// two faces along a boundary or crease, or one face in a corner.
     bool IsRegular() const;
 
-    /// One Catmull-Clark step (DeRose et al. 1998 for the sharpness): the ring of the refined vertex.
+    /// One Catmull-Clark step (DeRose et al. 1998 for the sharpness): the ring of the refined
+    /// vertex.
     VertexRing Subdivide() const;
 
     /// Where the vertex goes in the limit.
@@ -58,8 +59,7 @@ struct VertexRing {
     Rule _VertexRule() const;
     bool _IsDart() const;
     Vec3f _EdgePoint(int edge, const Diagonals& facePoints) const;
-    Vec3f _VertexPoint(Rule rule, const Sharpnesses& sharpness,
-                       const Diagonals& facePoints) const;
+    Vec3f _VertexPoint(Rule rule, const Sharpnesses& sharpness, const Diagonals& facePoints) const;
     /// The two neighbours along the sharp edges, of which there must be two.
     void _CreaseNeighbors(const Sharpnesses& sharpness, Vec3f neighbors[2]) const;
     void _DecaySharpness(VertexRing* child) const;

@@ -95,19 +95,16 @@ HWY_INLINE NodeHits NodeHitsOfPacket(const BvhNode& node, const PacketInterval& 
             high = swap;
         }
         const auto far = hn::Sub(high, hn::Set(d, interval.OriginMin()));
-        const auto near =
-            hn::Max(hn::Sub(low, hn::Set(d, interval.OriginMax())), hn::Zero(d));
+        const auto near = hn::Max(hn::Sub(low, hn::Set(d, interval.OriginMax())), hn::Zero(d));
         auto hit = hn::And(hn::Ge(far, hn::Set(d, interval.Nearest())),
                            hn::Le(near, hn::Set(d, interval.Reach())));
         for (int i = 0; i < 2; ++i) {
             const PacketInterval::Slab& side = interval.Side(i);
             const auto slopeMin = hn::Set(d, side.slopeMin), slopeMax = hn::Set(d, side.slopeMax);
-            const auto least =
-                hn::Add(hn::Set(d, side.originMin),
-                        hn::Min(hn::Mul(slopeMin, near), hn::Mul(slopeMin, far)));
-            const auto most =
-                hn::Add(hn::Set(d, side.originMax),
-                        hn::Max(hn::Mul(slopeMax, near), hn::Mul(slopeMax, far)));
+            const auto least = hn::Add(hn::Set(d, side.originMin),
+                                       hn::Min(hn::Mul(slopeMin, near), hn::Mul(slopeMin, far)));
+            const auto most = hn::Add(hn::Set(d, side.originMax),
+                                      hn::Max(hn::Mul(slopeMax, near), hn::Mul(slopeMax, far)));
             hit = hn::And(hit, hn::And(hn::Le(least, hn::Load(d, Upper(node, side.axis) + lane)),
                                        hn::Ge(most, hn::Load(d, Lower(node, side.axis) + lane))));
         }
@@ -124,8 +121,7 @@ HWY_INLINE NodeHits NodeHitsOfRay(const BvhNode& node, const ObjectRays& rays) {
     NodeHits result;
     for (size_t lane = 0; lane < kBvhWidth; lane += hn::Lanes(d)) {
         auto near = hn::Set(d, rays.tMin[0]), far = hn::Set(d, rays.tMax[0]);
-        const auto slab = [&](float origin, float inverse, const float* lower,
-                              const float* upper) {
+        const auto slab = [&](float origin, float inverse, const float* lower, const float* upper) {
             const auto o = hn::Set(d, origin), i = hn::Set(d, inverse);
             const auto t0 = hn::Mul(hn::Sub(hn::Load(d, lower + lane), o), i);
             const auto t1 = hn::Mul(hn::Sub(hn::Load(d, upper + lane), o), i);

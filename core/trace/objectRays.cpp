@@ -29,12 +29,9 @@ void TransformRays(const RayPacket& rays, const AffineTransform& worldToObject, 
         // Doubles: origin and translation may be large and nearly cancel.
         const double ox = rays.originX[i], oy = rays.originY[i], oz = rays.originZ[i];
         const double dx = rays.directionX[i], dy = rays.directionY[i], dz = rays.directionZ[i];
-        out->originX[i] =
-            static_cast<float>(m(0, 0) * ox + m(0, 1) * oy + m(0, 2) * oz + m(0, 3));
-        out->originY[i] =
-            static_cast<float>(m(1, 0) * ox + m(1, 1) * oy + m(1, 2) * oz + m(1, 3));
-        out->originZ[i] =
-            static_cast<float>(m(2, 0) * ox + m(2, 1) * oy + m(2, 2) * oz + m(2, 3));
+        out->originX[i] = static_cast<float>(m(0, 0) * ox + m(0, 1) * oy + m(0, 2) * oz + m(0, 3));
+        out->originY[i] = static_cast<float>(m(1, 0) * ox + m(1, 1) * oy + m(1, 2) * oz + m(1, 3));
+        out->originZ[i] = static_cast<float>(m(2, 0) * ox + m(2, 1) * oy + m(2, 2) * oz + m(2, 3));
         const auto x = static_cast<float>(m(0, 0) * dx + m(0, 1) * dy + m(0, 2) * dz);
         const auto y = static_cast<float>(m(1, 0) * dx + m(1, 1) * dy + m(1, 2) * dz);
         const auto z = static_cast<float>(m(2, 0) * dx + m(2, 1) * dy + m(2, 2) * dz);

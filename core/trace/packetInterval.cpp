@@ -96,7 +96,8 @@ PacketInterval::Slab PacketInterval::_MeasureSide(const ObjectRays& rays, int ax
             side.slopeMax = std::max(side.slopeMax, slope);
         }
     }
-    const float slopeMargin = kMargin * std::max(std::fabs(side.slopeMin), std::fabs(side.slopeMax));
+    const float slopeMargin =
+        kMargin * std::max(std::fabs(side.slopeMin), std::fabs(side.slopeMax));
     const float originMargin =
         kMargin * std::max(std::fabs(side.originMin), std::fabs(side.originMax));
     side.slopeMin -= slopeMargin;
@@ -118,8 +119,7 @@ bool PacketInterval::Culls(const Box3f& box) const {
         return true;
     }
     for (const Slab& side : _sides) {
-        const float least =
-            side.originMin + std::min(side.slopeMin * near, side.slopeMin * far);
+        const float least = side.originMin + std::min(side.slopeMin * near, side.slopeMin * far);
         const float most = side.originMax + std::max(side.slopeMax * near, side.slopeMax * far);
         if (least > box.upper[side.axis] || most < box.lower[side.axis]) {
             return true;

@@ -100,8 +100,8 @@ class PatchIntersector {
     void _SetTolerance(const Vec3f* points, int count) {
         float largest = 0;
         for (int i = 0; i < count; ++i) {
-            largest = std::max({largest, std::fabs(points[i].x), std::fabs(points[i].y),
-                                std::fabs(points[i].z)});
+            largest = std::max(
+                {largest, std::fabs(points[i].x), std::fabs(points[i].y), std::fabs(points[i].z)});
         }
         _tolerance = 2.5e-7f * largest;
     }
@@ -210,10 +210,11 @@ class PatchIntersector {
                 continue;
             }
             if (part.splits == 0) {
-                const Vec3f corners[4] = {part.bezier.Corner(0, 0),
-                                          part.bezier.Corner(part.isTransposed, !part.isTransposed),
-                                          part.bezier.Corner(1, 1),
-                                          part.bezier.Corner(!part.isTransposed, part.isTransposed)};
+                const Vec3f corners[4] = {
+                    part.bezier.Corner(0, 0),
+                    part.bezier.Corner(part.isTransposed, !part.isTransposed),
+                    part.bezier.Corner(1, 1),
+                    part.bezier.Corner(!part.isTransposed, part.isTransposed)};
                 _IntersectQuad(corners, box, part.u, part.v, part.size, first);
                 continue;
             }
@@ -275,9 +276,9 @@ class PatchIntersector {
             const bool isHighRow = (i & 2) != 0, isHighColumn = (i & 1) != 0;
             const bool isHighU = isTransposed ? isHighRow : isHighColumn;
             const bool isHighV = isTransposed ? isHighColumn : isHighRow;
-            stack[(*count)++] = {quarters[i],      isHighU ? u + half : u, isHighV ? v + half : v,
-                                 half,             splits,                 firstRay,
-                                 !isTransposed};
+            stack[(*count)++] = {
+                quarters[i], isHighU ? u + half : u, isHighV ? v + half : v, half, splits,
+                firstRay,    !isTransposed};
         }
     }
 
@@ -341,8 +342,8 @@ class PatchIntersector {
         hn::Store(hn::IfThenElse(mask, hn::Set(du, _patch), hn::Load(du, _hits->patch + group)), du,
                   _hits->patch + group);
         hn::Store(
-            hn::IfThenElse(mask, hn::Set(du, _instance), hn::Load(du, _hits->instance + group)),
-            du, _hits->instance + group);
+            hn::IfThenElse(mask, hn::Set(du, _instance), hn::Load(du, _hits->instance + group)), du,
+            _hits->instance + group);
         return true;
     }
 

@@ -77,9 +77,9 @@ class QuadBlock {
         out[0] = r[0];
         for (int i = 0; i < 3; ++i) {
             const float* w = kWeights[i];
-            out[i + 1] = hn::Add(
-                hn::Add(hn::Mul(hn::Set(d, w[0]), r[0]), hn::Mul(hn::Set(d, w[3]), r[3])),
-                hn::Add(hn::Mul(hn::Set(d, w[1]), r[1]), hn::Mul(hn::Set(d, w[2]), r[2])));
+            out[i + 1] =
+                hn::Add(hn::Add(hn::Mul(hn::Set(d, w[0]), r[0]), hn::Mul(hn::Set(d, w[3]), r[3])),
+                        hn::Add(hn::Mul(hn::Set(d, w[1]), r[1]), hn::Mul(hn::Set(d, w[2]), r[2])));
         }
         out[4] = r[3];
     }
@@ -131,8 +131,8 @@ class QuadBlock {
             V corner[4][3];
             for (int c = 0; c < 4; ++c) {
                 for (int axis = 0; axis < 3; ++axis) {
-                    corner[c][axis] = hn::Sub(hn::Load(d, _corners[c][axis] + lane),
-                                              hn::Set(d, _origin[axis]));
+                    corner[c][axis] =
+                        hn::Sub(hn::Load(d, _corners[c][axis] + lane), hn::Set(d, _origin[axis]));
                 }
             }
             for (int e = 0; e < kEdgeCount; ++e) {
@@ -184,12 +184,12 @@ class QuadBlock {
                 dz = hn::Set(d, rays.directionZ[ray]);
         V volume[kEdgeCount];
         for (int e = 0; e < kEdgeCount; ++e) {
-            volume[e] = _Dot(hn::Load(d, _edgeNormal[e][0] + lane),
-                             hn::Load(d, _edgeNormal[e][1] + lane),
-                             hn::Load(d, _edgeNormal[e][2] + lane), dx, dy, dz);
+            volume[e] =
+                _Dot(hn::Load(d, _edgeNormal[e][0] + lane), hn::Load(d, _edgeNormal[e][1] + lane),
+                     hn::Load(d, _edgeNormal[e][2] + lane), dx, dy, dz);
         }
-        const V slack = hn::Mul(hn::Set(d, 2 * tolerance * rays.length[ray]),
-                                hn::Load(d, _diagonal + lane));
+        const V slack =
+            hn::Mul(hn::Set(d, 2 * tolerance * rays.length[ray]), hn::Load(d, _diagonal + lane));
         const V triangles[2][3] = {{volume[k12], volume[k20], volume[k01]},
                                    {volume[k23], volume[k30], hn::Neg(volume[k20])}};
         for (int triangle = 0; triangle < 2; ++triangle) {
@@ -234,8 +234,10 @@ class QuadBlock {
         constexpr float kSize = 1.0f / kBlockSide;
         best->isHit = true;
         best->t = distance[index];
-        best->u = (static_cast<float>(quad % kBlockSide) + (triangle == 0 ? both : weightB)) * kSize;
-        best->v = (static_cast<float>(quad / kBlockSide) + (triangle == 0 ? weightC : both)) * kSize;
+        best->u =
+            (static_cast<float>(quad % kBlockSide) + (triangle == 0 ? both : weightB)) * kSize;
+        best->v =
+            (static_cast<float>(quad / kBlockSide) + (triangle == 0 ? weightC : both)) * kSize;
     }
 
     static float _Clamp(float x) { return x > 0 ? (x < 1 ? x : 1) : 0; }

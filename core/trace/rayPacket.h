@@ -23,8 +23,8 @@ struct alignas(64) RayPacket {
 
 /// The nearest hit of each ray of a packet. The distance is the ray's tMax.
 struct alignas(64) HitPacket {
-    uint32_t instance[kPacketSize];  ///< kNoHit if the ray missed
-    uint32_t patch[kPacketSize];     ///< of that instance's surface
+    uint32_t instance[kPacketSize];        ///< kNoHit if the ray missed
+    uint32_t patch[kPacketSize];           ///< of that instance's surface
     float u[kPacketSize], v[kPacketSize];  ///< in the patch, 0..1
 };
 

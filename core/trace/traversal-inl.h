@@ -27,7 +27,9 @@ struct PacketRays {
 
     NodeHits HitChildren(const BvhNode& node) const { return NodeHitsOfPacket(node, interval); }
     bool Culls(const Box3f& box) const { return interval.Culls(box); }
-    bool IsBeyond(float distance) const { return interval.IsValid() && distance > interval.Reach(); }
+    bool IsBeyond(float distance) const {
+        return interval.IsValid() && distance > interval.Reach();
+    }
     void Shortened() { interval.UpdateReach(rays); }
 
     ObjectRays& rays;

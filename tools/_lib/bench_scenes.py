@@ -20,7 +20,7 @@ class Scene:
 
 
 #: Name and generator of the scenes that are too large to keep.
-GENERATED = {"forest": "forest.py"}
+GENERATED = {"herd": "herd.py"}
 
 
 def scenes(chosen: str | None) -> list[Scene]:

@@ -5,9 +5,7 @@ The lamp is inside the shell, so that every window throws its own light on the g
 
 from __future__ import annotations
 
-import argparse
 import sys
-from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
@@ -19,9 +17,8 @@ from stage_kit import (
     add_camera,
     add_distant_light,
     add_sphere_light,
-    face_count,
+    main_of,
     new_stage,
-    save,
 )
 
 DOCUMENTATION = """A lantern snail meets a lamp moth at moonrise.
@@ -90,21 +87,5 @@ def build() -> Usd.Stage:
     return stage
 
 
-def main(arguments: Sequence[str] | None = None) -> int:
-    """Writes the file and says how large the scene is."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    default = Path(__file__).resolve().parents[1] / "hero.usda"
-    parser.add_argument("out", nargs="?", type=Path, default=default, metavar="OUT")
-    out = parser.parse_args(arguments).out
-    stage = build()
-    try:
-        save(stage, out)
-    except OSError as error:
-        print(f"hero.py: {error}", file=sys.stderr)
-        return 1
-    print(f"{out}: {face_count(stage)} base faces")
-    return 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(main_of(__doc__, build, Path(__file__).resolve().parents[1] / "hero.usda"))

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import argparse
+import sys
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 from mesh_kit import ControlCage
 from numpy.typing import ArrayLike, NDArray
-from pxr import Gf, Usd, UsdGeom, UsdLux, Vt
+from pxr import Gf, Tf, Usd, UsdGeom, UsdLux, Vt
 
 
 @dataclass
@@ -159,6 +161,8 @@ def _set_light(light: UsdLux.BoundableLightBase, intensity: float, colour: Array
 
 def save(stage: Usd.Stage, path: Path) -> None:
     """Writes the stage, or raises OSError with a message that names the path."""
+    if path.suffix not in (".usda", ".usdc", ".usd"):
+        raise OSError(f"{path} is no .usda, .usdc or .usd file")
     if not path.parent.is_dir():
         raise OSError(f"no such folder: {path.parent}")
     if not stage.GetRootLayer().Export(str(path)):
@@ -169,3 +173,21 @@ def face_count(stage: Usd.Stage) -> int:
     """The number of base faces on a stage."""
     meshes = [UsdGeom.Mesh(prim) for prim in stage.Traverse() if prim.IsA(UsdGeom.Mesh)]
     return sum(len(mesh.GetFaceVertexCountsAttr().Get()) for mesh in meshes)
+
+
+def main_of(documentation: str, build: Callable[[], Usd.Stage], default: Path) -> int:
+    """The command of a generator: writes its stage to OUT and says how large it is."""
+    parser = argparse.ArgumentParser(description=documentation.splitlines()[0])
+    parser.add_argument("out", nargs="?", type=Path, default=default, metavar="OUT")
+    return write_stage(build(), parser.parse_args().out)
+
+
+def write_stage(stage: Usd.Stage, out: Path) -> int:
+    """Saves a stage and says how large it is; returns the exit status."""
+    try:
+        save(stage, out)
+    except (OSError, Tf.ErrorException) as error:
+        print(f"{Path(sys.argv[0]).name}: {error}", file=sys.stderr)
+        return 1
+    print(f"{out}: {face_count(stage)} base faces")
+    return 0

@@ -9,8 +9,7 @@ namespace Bfr = OpenSubdiv::Bfr;
 namespace Far = OpenSubdiv::Far;
 namespace Sdc = OpenSubdiv::Sdc;
 
-LimitOracle::LimitOracle(ControlMesh mesh, std::vector<Vec3f> points)
-    : _points(std::move(points)) {
+LimitOracle::LimitOracle(ControlMesh mesh, std::vector<Vec3f> points) : _points(std::move(points)) {
     ValidateControlMesh(&mesh, _points.size());
     Far::TopologyDescriptor d;
     d.numVertices = static_cast<int>(_points.size());
@@ -28,8 +27,9 @@ LimitOracle::LimitOracle(ControlMesh mesh, std::vector<Vec3f> points)
         mesh.boundaryRule == BoundaryRule::None       ? Sdc::Options::VTX_BOUNDARY_NONE
         : mesh.boundaryRule == BoundaryRule::EdgeOnly ? Sdc::Options::VTX_BOUNDARY_EDGE_ONLY
                                                       : Sdc::Options::VTX_BOUNDARY_EDGE_AND_CORNER);
-    options.SetCreasingMethod(mesh.creaseRule == CreaseRule::Chaikin ? Sdc::Options::CREASE_CHAIKIN
-                                                                     : Sdc::Options::CREASE_UNIFORM);
+    options.SetCreasingMethod(mesh.creaseRule == CreaseRule::Chaikin
+                                  ? Sdc::Options::CREASE_CHAIKIN
+                                  : Sdc::Options::CREASE_UNIFORM);
     options.SetTriangleSubdivision(mesh.triangleRule == TriangleRule::Smooth
                                        ? Sdc::Options::TRI_SUB_SMOOTH
                                        : Sdc::Options::TRI_SUB_CATMARK);

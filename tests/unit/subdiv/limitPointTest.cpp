@@ -73,7 +73,8 @@ void ExpectContinuousCorners(const Cage& cage, PatchKind kind, int expectedCount
 }
 
 TEST(LimitPoint, IsContinuousIntoExtraordinaryVertices) {
-    // The outer quads of a fan have a vertex of valence 3 each, the inner ones another in the centre.
+    // The outer quads of a fan have a vertex of valence 3 each, the inner ones another in the
+    // centre.
     ExpectContinuousCorners(Fan(5), PatchKind::Extraordinary, 10);
     ExpectContinuousCorners(Fan(5), PatchKind::Irregular, 5);
     ExpectContinuousCorners(Fan(3), PatchKind::Irregular, 3);

@@ -89,8 +89,7 @@ Cage Torus(int around, int across) {
         for (int j = 0; j < across; ++j) {
             const float a = kTwoPi * i / around, b = kTwoPi * j / across;
             const float radius = 2 + 0.7f * std::cos(b);
-            cage.points.push_back(
-                {radius * std::cos(a), radius * std::sin(a), 0.7f * std::sin(b)});
+            cage.points.push_back({radius * std::cos(a), radius * std::sin(a), 0.7f * std::sin(b)});
         }
     }
     for (int i = 0; i < around; ++i) {
@@ -122,8 +121,8 @@ Cage Fan(int valence) {
     for (int r = 1; r <= 2; ++r) {
         for (int i = 0; i < ring; ++i) {
             const float angle = kTwoPi * i / ring;
-            cage.points.push_back({r * std::cos(angle), r * std::sin(angle),
-                                   0.1f * std::sin(3.1f * i) - 0.2f * r});
+            cage.points.push_back(
+                {r * std::cos(angle), r * std::sin(angle), 0.1f * std::sin(3.1f * i) - 0.2f * r});
         }
     }
     for (int i = 0; i < valence; ++i) {
@@ -171,9 +170,8 @@ std::string TestName(const testing::TestParamInfo<Cage>& info) {
 }
 
 std::vector<Cage> Catalogue() {
-    std::vector<Cage> cages{Cube(),      Sheet(4),      Torus(8, 6), Tetrahedron(),
-                            Fan(3),      Fan(5),        Fan(6),      Fan(9),
-                            Drum(3),     Drum(5),       Drum(12)};
+    std::vector<Cage> cages{Cube(), Sheet(4), Torus(8, 6), Tetrahedron(), Fan(3),  Fan(5),
+                            Fan(6), Fan(9),   Drum(3),     Drum(5),       Drum(12)};
     cages.push_back(WithBoundary(Sheet(4), BoundaryRule::EdgeOnly, "sheet edgeOnly"));
     cages.push_back(WithBoundary(Sheet(5), BoundaryRule::None, "sheet none"));
     cages.push_back(WithBoundary(Sheet(1), BoundaryRule::EdgeOnly, "one quad edgeOnly"));

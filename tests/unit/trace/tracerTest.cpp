@@ -69,8 +69,11 @@ TEST_P(TracerTest, HitsLieOnTheLimitSurface) {
     std::mt19937 random(3);
     TraceStatistics statistics;
     int hitCount = 0;
-    const Vec3f directions[] = {{1, 0.2f, 0.3f}, {-0.4f, 1, 0.1f}, {0.2f, -0.3f, 1},
-                                {0.1f, 0.2f, -1}, {-0.7f, -0.6f, 0.5f}};
+    const Vec3f directions[] = {{1, 0.2f, 0.3f},
+                                {-0.4f, 1, 0.1f},
+                                {0.2f, -0.3f, 1},
+                                {0.1f, 0.2f, -1},
+                                {-0.7f, -0.6f, 0.5f}};
     for (const Vec3f& from : directions) {
         for (int n = 0; n < 10; ++n) {
             RayPacket rays = CameraPacket(surface.Bounds(), from, 0.2f, &random);
@@ -81,9 +84,9 @@ TEST_P(TracerTest, HitsLieOnTheLimitSurface) {
                     continue;
                 }
                 ++hitCount;
-                const LimitPoint limit = EvaluateLimit(
-                    surface.Patches(), hits.patch[i], surface.PatchPoints().data(), hits.u[i],
-                    hits.v[i]);
+                const LimitPoint limit =
+                    EvaluateLimit(surface.Patches(), hits.patch[i], surface.PatchPoints().data(),
+                                  hits.u[i], hits.v[i]);
                 // Quads of level 6 are within a few 4^-6 of the surface, but those around a vertex
                 // of high valence shrink slower.
                 const float tolerance =
@@ -103,8 +106,7 @@ TEST_P(TracerTest, SingleRaysAgreeWithPackets) {
     std::mt19937 random(5);
     TraceStatistics statistics;
     for (int n = 0; n < 40; ++n) {
-        RayPacket rays =
-            CameraPacket(traced.surface->Bounds(), {0.9f, -0.5f, 0.7f}, 0.3f, &random);
+        RayPacket rays = CameraPacket(traced.surface->Bounds(), {0.9f, -0.5f, 0.7f}, 0.3f, &random);
         rays.count = n % 3 == 0 ? 37 : kPacketSize;
         RayPacket again = rays;
         HitPacket hits, hitsAgain;
@@ -193,8 +195,7 @@ TEST(Tracer, HolesAreNeverHit) {
 
 TEST(Tracer, DistancesAreThoseOfTheWorld) {
     // Stretched, mirrored and moved far away.
-    const AffineTransform place(
-        {{{-2, 0, 0, 1000}, {0, 0.5, 0, -500}, {0, 0, 3, 20}}});
+    const AffineTransform place({{{-2, 0, 0, 1000}, {0, 0.5, 0, -500}, {0, 0, 3, 20}}});
     const TracedCage traced(Cube(), place);
     RayPacket rays;
     rays.count = 1;
@@ -210,9 +211,9 @@ TEST(Tracer, DistancesAreThoseOfTheWorld) {
     MakeTracer(TracerKind::Packet, 4)->Intersect(traced.world, &rays, &hits, &statistics);
     ASSERT_EQ(hits.instance[0], 0u);
     // The middle of the face, by the limit rules.
-    const LimitPoint middle = EvaluateLimit(
-        traced.surface->Patches(), hits.patch[0], traced.surface->PatchPoints().data(), hits.u[0],
-        hits.v[0]);
+    const LimitPoint middle =
+        EvaluateLimit(traced.surface->Patches(), hits.patch[0],
+                      traced.surface->PatchPoints().data(), hits.u[0], hits.v[0]);
     EXPECT_NEAR(120 - 2 * rays.tMax[0], place.Point(middle.position).z, 1e-2f);
     EXPECT_NEAR(place.Point(middle.position).x, 1000, 1e-2f);
 }
