@@ -29,6 +29,7 @@ from numpy.typing import ArrayLike
 from stage_kit import Colour, colour_by_label, colour_by_vertex
 
 SIDES = 16
+RINGS = 44
 # Angles from the back of the body, denser around the lips.
 HALF_ANGLES = (0.0, 22.5, 45.0, 67.5, 89.0, 103.0, 127.0, 154.0, 180.0)
 
@@ -40,7 +41,8 @@ PLUM = (0.34, 0.16, 0.30)
 TEAL = (0.10, 0.42, 0.44)
 MINT = (0.55, 0.86, 0.76)
 ROSE = (0.88, 0.25, 0.36)
-RUFF = ((0.60, 0.10, 0.34), (1.0, 0.46, 0.40))
+RUFF = ((0.85, 0.16, 0.42), (1.0, 0.56, 0.48))
+GULLET = (0.30, 0.05, 0.11)
 
 
 @dataclass
@@ -285,23 +287,40 @@ def body_frames(spine: Points) -> tuple[Points, Points]:
     return side, np.cross(along, side)
 
 
-def snail_body(pose: SnailPose, rings: int = 44) -> tuple[ControlCage, list[ExtrudeStep]]:
-    """The body with its mouth and eye sockets as holes, and the last step of each eye stalk."""
-    spine = spline(pose.spine, rings)
+def body_rings(pose: SnailPose) -> Points:
+    """The rings of the body from tail to snout; they are close at the lips, which smile."""
+    spine = spline(pose.spine, RINGS)
     side, back = body_frames(spine)
     half = np.radians(HALF_ANGLES)
-    angles = np.concatenate([half, 2 * np.pi - half[-2:0:-1]])
     circles = []
     for ring, (x, y, z, width, height) in enumerate(spine):
-        turned = angles.copy()
-        smile = np.radians(np.interp(ring - rings, (-9.0, -6.0, -1.0), (0.0, -26.0, 14.0)))
-        turned[[3, 4, 5, 6]] += smile * np.array((0.4, 1.0, 1.0, 0.6))
-        turned[[13, 12, 11, 10]] -= smile * np.array((0.4, 1.0, 1.0, 0.6))
-        circle = np.array([x, y, z]) + np.outer(np.cos(turned), back[ring]) * height
-        circle += np.outer(np.sin(turned), side[ring]) * width
+        place = ring - RINGS
+        smile = np.radians(np.interp(place, (-9.0, -6.0, -1.0), (0.0, -26.0, 14.0)))
+        closed = np.radians(np.interp(place, (-8.0, -6.0, -3.0), (0.0, -12.0, 0.0)))
+        angles = half.copy()
+        angles[3:7] += smile * np.array((0.4, 1.0, 1.0, 0.6)) + closed * np.array((0, 0, 1, 0.4))
+        angles = np.concatenate([angles, 2 * np.pi - angles[-2:0:-1]])
+        circle = np.array([x, y, z]) + np.outer(np.cos(angles), back[ring]) * height
+        circle += np.outer(np.sin(angles), side[ring]) * width
         circle[:, 1] = np.maximum(circle[:, 1], 0.03)
         circles.append(circle)
-    cage = loft(np.array(circles), cap_start=0.02, cap_end=0.10, label="skin").turn_outward()
+    return np.array(circles)
+
+
+def throat(pose: SnailPose) -> ControlCage:
+    """What one sees through the mouth and the gills: a smaller body in the body."""
+    rings = body_rings(pose)[RINGS - 25 :]
+    centres = rings.mean(axis=1, keepdims=True)
+    inner = centres + 0.86 * (rings - centres)
+    inner[-1] -= 0.05 * (rings[-1] - rings[-4]).mean(axis=0)
+    return loft(inner, cap_start=0.02, cap_end=0.04, label="throat").turn_outward()
+
+
+def snail_body(pose: SnailPose) -> tuple[ControlCage, list[ExtrudeStep]]:
+    """The body with its mouth and eye sockets as holes, and the last step of each eye stalk."""
+    rings = RINGS
+    circles = body_rings(pose)
+    cage = loft(circles, cap_start=0.02, cap_end=0.10, label="skin").turn_outward()
     _cut_mouth(cage, rings)
     _cut_gills(cage, rings)
     ends = [
@@ -550,11 +569,12 @@ def snail(
         .build()
         .moved(lambda points: _leaned(points, lean) + np.asarray(shell_centre))
     )
-    hem, ruff = mantle(pose), collar(pose)
+    hem, ruff, gullet = mantle(pose), collar(pose), throat(pose)
     eyes = merge([eyeball(end) for end in ends])
     beads = merge([catchlight(end) for end in ends])
     return [
         Part("Body", body.check(), body_colour(body), True),
+        Part("Throat", gullet.check(closed=True), Colour("constant", [GULLET])),
         Part("Mantle", hem.check(), hem_colour(hem), True),
         Part("Shell", house.check(), colour_by_label(house, SHELL_PALETTE), True),
         Part("Collar", ruff.check(), petal_colour(ruff, *RUFF), True),

@@ -191,7 +191,7 @@ def moth(centre: ArrayLike, size: float) -> list[Part]:
             wings.append(_wing(sign, back, reach, sweep))
     wing = merge(wings)
     wing.make_holes("eye")
-    turn = _turned(-0.55, 0.5)
+    turn = _turned(-0.75, 0.45)
     parts = []
     palette = {"band": PLUM, "glow": (0.95, 1.0, 0.45), "head": INK}
     for name, cage, colour in (
@@ -210,7 +210,7 @@ def _wing(sign: float, back: float, reach: float, sweep: float) -> ControlCage:
     def place(u: float, v: float) -> Points:
         spread = reach * v
         chord = (u - 0.5) * (0.30 + 0.85 * np.sin(np.pi * min(1.0, 0.1 + 0.8 * v)))
-        lift = spread * (0.75 - 0.25 * v)
+        lift = spread * (0.42 - 0.15 * v)
         along = 0.25 - back + sweep * v * v * 0.8 + chord * 0.8
         return np.array([along, 0.1 + lift, sign * (0.12 + spread * 0.8)])
 
