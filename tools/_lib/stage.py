@@ -142,7 +142,8 @@ def view_at(
     aspect = seen.aspectRatio
     if not aspect > 1e-4:
         aspect = 1.0
-    return View(seen, path, width, max(int(width / aspect), 1))
+    # Rounded, as 16:9 in floats is a little more than it should be.
+    return View(seen, path, width, max(round(width / aspect), 1))
 
 
 def camera_on_stage(stage: Usd.Stage, time: Usd.TimeCode, purposes: list[str]) -> Gf.Camera:
