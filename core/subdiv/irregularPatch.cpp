@@ -1,5 +1,7 @@
 #include "core/subdiv/irregularPatch.h"
 
+#include "core/subdiv/gridPosition.h"
+
 namespace cc {
 namespace {
 
@@ -128,31 +130,61 @@ bool IrregularPatch::ToBSpline(Vec3f points[16]) const {
         }
     }
     Vec3f grid[4][4];
-    bool isOpen[4];
-    const int rows[4] = {1, 1, 2, 2}, columns[4] = {1, 2, 2, 1};
-    const int outRow[4] = {-1, 0, 1, 0}, outColumn[4] = {0, 1, 0, -1};
-    const auto across = [&](int corner, int edge) -> Vec3f& {
-        corner &= 3;
-        return grid[rows[corner] + outRow[edge]][columns[corner] + outColumn[edge]];
-    };
-    const auto diagonal = [&](int corner) -> Vec3f& {
-        const int previous = Previous(corner);
-        return grid[rows[corner] + outRow[corner] + outRow[previous]]
-                   [columns[corner] + outColumn[corner] + outColumn[previous]];
-    };
+    _GatherGrid(grid);
+    for (int i = 0; i < 16; ++i) {
+        points[i] = grid[i / 4][i % 4];
+    }
+    return true;
+}
+
+int IrregularPatch::ToExtraordinary(ExtraordinaryPatch::Points* points) const {
+    int extraordinary = -1;
     for (int corner = 0; corner < 4; ++corner) {
-        grid[rows[corner]][columns[corner]] = rings[corner].center;
+        if (!rings[corner].IsRegular()) {
+            if (extraordinary >= 0 || !rings[corner].IsSmooth()) {
+                return -1;
+            }
+            extraordinary = corner;
+        }
+    }
+    if (extraordinary < 0) {
+        return -1;
+    }
+    Vec3f grid[4][4];
+    _GatherGrid(grid);
+    const VertexRing& ring = rings[extraordinary];
+    *points = {ring.center};
+    for (int i = 0; i < ring.FaceCount(); ++i) {
+        points->push_back(ring.edges[ring.Wrap(faces[extraordinary] + i)]);
+        points->push_back(ring.diagonals[ring.Wrap(faces[extraordinary] + i)]);
+    }
+    const int c1 = Next(extraordinary), c2 = Opposite(extraordinary), c3 = Previous(extraordinary);
+    for (const GridPosition& at :
+         {GridDiagonal(c1), GridAcross(c1, c1), GridAcross(c2, c1), GridDiagonal(c2),
+          GridAcross(c2, c2), GridAcross(c3, c2), GridDiagonal(c3)}) {
+        points->push_back(grid[at.row][at.column]);
+    }
+    return extraordinary;
+}
+
+/// Fills the 4x4 grid around the quad (OneRing). The diagonal beyond an extraordinary vertex means
+/// nothing.
+void IrregularPatch::_GatherGrid(Vec3f grid[4][4]) const {
+    const auto at = [grid](GridPosition p) -> Vec3f& { return grid[p.row][p.column]; };
+    bool isOpen[4];
+    for (int corner = 0; corner < 4; ++corner) {
+        at(GridCorner(corner)) = rings[corner].center;
         isOpen[corner] = _IsOpenEdge(corner);
     }
     for (int corner = 0; corner < 4; ++corner) {
         const VertexRing& ring = rings[corner];
         const int face = faces[corner];
         if (ring.isClosed) {
-            across(corner, Previous(corner)) = ring.edges[ring.Wrap(face + 2)];
-            diagonal(corner) = ring.diagonals[ring.Wrap(face + 2)];
-            across(corner, corner) = ring.edges[ring.Wrap(face + 3)];
+            at(GridAcross(corner, corner + 3)) = ring.edges[ring.Wrap(face + 2)];
+            at(GridDiagonal(corner)) = ring.diagonals[ring.Wrap(face + 2)];
+            at(GridAcross(corner, corner)) = ring.edges[ring.Wrap(face - 1)];
         } else if (ring.FaceCount() == 2) {
-            (face == 0 ? across(corner, Previous(corner)) : across(corner, corner)) =
+            at(face == 0 ? GridAcross(corner, corner + 3) : GridAcross(corner, corner)) =
                 face == 0 ? ring.edges[2] : ring.edges[0];
         }
     }
@@ -160,22 +192,20 @@ bool IrregularPatch::ToBSpline(Vec3f points[16]) const {
     for (int edge = 0; edge < 4; ++edge) {
         if (isOpen[edge]) {
             const int a = edge, b = Next(edge);
-            across(a, edge) = rings[a].center * 2 - rings[Previous(a)].center;
-            across(b, edge) = rings[b].center * 2 - rings[Next(b)].center;
+            at(GridAcross(a, edge)) = rings[a].center * 2 - rings[Previous(a)].center;
+            at(GridAcross(b, edge)) = rings[b].center * 2 - rings[Next(b)].center;
         }
     }
     for (int corner = 0; corner < 4; ++corner) {
-        const int previous = Previous(corner), next = Next(corner);
+        const int previous = Previous(corner);
         if (isOpen[corner]) {
-            diagonal(corner) = across(corner, previous) * 2 - across(previous, previous);
+            at(GridDiagonal(corner)) =
+                at(GridAcross(corner, previous)) * 2 - at(GridAcross(previous, previous));
         } else if (isOpen[previous]) {
-            diagonal(corner) = across(corner, corner) * 2 - across(next, corner);
+            at(GridDiagonal(corner)) =
+                at(GridAcross(corner, corner)) * 2 - at(GridAcross(corner + 1, corner));
         }
     }
-    for (int i = 0; i < 16; ++i) {
-        points[i] = grid[i / 4][i % 4];
-    }
-    return true;
 }
 
 Box3f IrregularPatch::HullBox() const {

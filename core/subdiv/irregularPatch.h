@@ -2,6 +2,7 @@
 
 #include "core/math/box.h"
 #include "core/math/vec.h"
+#include "core/subdiv/extraordinaryPatch.h"
 #include "core/subdiv/patchTable.h"
 #include "core/subdiv/vertexRing.h"
 
@@ -22,6 +23,11 @@ struct IrregularPatch {
     /// If the surface is a bicubic B-spline, writes its 4x4 points in rows along u.
     bool ToBSpline(Vec3f points[16]) const;
 
+    /// If one corner is an extraordinary vertex and the rest is regular, writes the patch as the
+    /// points of an ExtraordinaryPatch that is turned to begin at that corner. Returns the corner,
+    /// or -1.
+    int ToExtraordinary(ExtraordinaryPatch::Points* points) const;
+
     /// Box of all points that shape the quad: it holds the surface.
     Box3f HullBox() const;
 
@@ -31,6 +37,7 @@ struct IrregularPatch {
 
   private:
     bool _IsOpenEdge(int edge) const;
+    void _GatherGrid(Vec3f grid[4][4]) const;
 };
 
 /// @param values  one value a patch point

@@ -1,5 +1,7 @@
 #include "core/subdiv/limitPoint.h"
 
+#include <utility>
+
 #include "core/subdiv/bezierPatch.h"
 #include "core/subdiv/extraordinaryPatch.h"
 #include "core/subdiv/irregularPatch.h"
@@ -103,7 +105,49 @@ LimitPoint EvaluateExtraordinary(const ExtraordinaryPatch& patch, float u, float
     return point;
 }
 
-/// Subdivides towards (u, v) until the surface there is regular, or so small that it is flat.
+/// Evaluates a patch whose extraordinary vertex is at a corner other than (0,0).
+LimitPoint EvaluateTurned(const ExtraordinaryPatch& patch, int corner, float u, float v) {
+    switch (corner) {
+        case 1: {
+            LimitPoint point = EvaluateExtraordinary(patch, v, 1 - u);
+            std::swap(point.du, point.dv);
+            point.du = -point.du;
+            return point;
+        }
+        case 2: {
+            LimitPoint point = EvaluateExtraordinary(patch, 1 - u, 1 - v);
+            point.du = -point.du;
+            point.dv = -point.dv;
+            return point;
+        }
+        case 3: {
+            LimitPoint point = EvaluateExtraordinary(patch, 1 - v, u);
+            std::swap(point.du, point.dv);
+            point.dv = -point.dv;
+            return point;
+        }
+        default: return EvaluateExtraordinary(patch, u, v);
+    }
+}
+
+/// Evaluates a patch if it is a B-spline or has one extraordinary vertex. Returns false otherwise.
+bool EvaluateIfSimple(const IrregularPatch& patch, float u, float v, LimitPoint* point) {
+    Vec3f bspline[16];
+    if (patch.ToBSpline(bspline)) {
+        *point = EvaluateBezier(BezierPatch::FromBSpline(bspline), u, v);
+        return true;
+    }
+    ExtraordinaryPatch::Points points;
+    const int corner = patch.ToExtraordinary(&points);
+    if (corner >= 0) {
+        const ExtraordinaryPatch turned(points.data(), patch.rings[corner].FaceCount());
+        *point = EvaluateTurned(turned, corner, u, v);
+        return true;
+    }
+    return false;
+}
+
+/// Subdivides towards (u, v) until the surface there is simple, or so small that it is flat.
 LimitPoint EvaluateIrregular(const IrregularPatch& patch, float u, float v) {
     // About the nearest corner, so that small parts near it keep their relative precision.
     const int nearest = v < 0.5f ? (u < 0.5f ? 0 : 1) : (u < 0.5f ? 3 : 2);
@@ -112,9 +156,8 @@ LimitPoint EvaluateIrregular(const IrregularPatch& patch, float u, float v) {
     local.Translate(-origin);
     LimitPoint point;
     float scale = 1;
-    Vec3f bspline[16];
-    bool isRegular = local.ToBSpline(bspline);
-    for (int halving = 0; halving < kMaxHalvings && !isRegular; ++halving) {
+    bool isDone = EvaluateIfSimple(local, u, v, &point);
+    for (int halving = 0; halving < kMaxHalvings && !isDone; ++halving) {
         IrregularPatch quarters[4];
         local.Subdivide(quarters);
         u *= 2;
@@ -125,11 +168,9 @@ LimitPoint EvaluateIrregular(const IrregularPatch& patch, float u, float v) {
         u -= isHighU;
         v -= isHighV;
         local = quarters[isHighV ? (isHighU ? 2 : 3) : (isHighU ? 1 : 0)];
-        isRegular = local.ToBSpline(bspline);
+        isDone = EvaluateIfSimple(local, u, v, &point);
     }
-    if (isRegular) {
-        point = EvaluateBezier(BezierPatch::FromBSpline(bspline), u, v);
-    } else {
+    if (!isDone) {
         Vec3f corners[4];
         local.LimitCorners(corners);
         point = EvaluateBezier(BezierPatch::FromBilinear(corners), u, v);

@@ -4,6 +4,8 @@
 
 #include <opensubdiv/far/topologyLevel.h>
 
+#include "core/subdiv/gridPosition.h"
+
 namespace cc {
 
 /// What the neighbourhood of a face looks like, and so how its surface can be had.
@@ -53,25 +55,5 @@ struct CornerRing {
 /// if the faces do not form a fan.
 bool GatherCornerRing(const OpenSubdiv::Far::TopologyLevel& level, int vertex, int face,
                       CornerRing* ring);
-
-/// Row and column of a face's corner in the 4x4 grid.
-struct GridPosition {
-    int row, column;
-};
-inline GridPosition GridCorner(int corner) {
-    constexpr GridPosition kCorners[4] = {{1, 1}, {1, 2}, {2, 2}, {2, 1}};
-    return kCorners[corner & 3];
-}
-/// The grid point beyond an edge, next to one of the edge's corners.
-inline GridPosition GridAcross(int corner, int edge) {
-    constexpr GridPosition kOutwards[4] = {{-1, 0}, {0, 1}, {1, 0}, {0, -1}};
-    const GridPosition p = GridCorner(corner), d = kOutwards[edge & 3];
-    return {p.row + d.row, p.column + d.column};
-}
-/// The grid point diagonally beyond a corner.
-inline GridPosition GridDiagonal(int corner) {
-    constexpr GridPosition kDiagonals[4] = {{0, 0}, {0, 3}, {3, 3}, {3, 0}};
-    return kDiagonals[corner & 3];
-}
 
 }  // namespace cc

@@ -29,7 +29,15 @@ bool VertexRing::IsSettled() const {
            std::none_of(outsideSharpness.begin(), outsideSharpness.end(), IsSemiSharp);
 }
 
+bool VertexRing::IsSmooth() const {
+    return isClosed && vertexSharpness <= 0 &&
+           std::all_of(edgeSharpness.begin(), edgeSharpness.end(), [](float s) { return s <= 0; });
+}
+
 bool VertexRing::IsRegular() const {
+    if (IsSmooth()) {
+        return FaceCount() == 4;
+    }
     if (!IsSettled() || _IsDart()) {
         return false;
     }

@@ -39,6 +39,8 @@ struct VertexRing {
 
     /// True if every tag has settled: what is sharp is so for ever.
     bool IsSettled() const;
+    /// True if the vertex is in the interior and no tag shapes it.
+    bool IsSmooth() const;
     /// True if the surface at the vertex is a bicubic B-spline: an interior vertex of valence 4,
     /// two faces along a boundary or crease, or one face in a corner.
     bool IsRegular() const;

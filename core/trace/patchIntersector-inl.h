@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include <hwy/highway.h>
 
@@ -26,11 +25,34 @@ namespace cc {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
+/// A square of a patch's parameters: its lower corner and its side.
+struct Square {
+    float u, v, size;
+
+    /// The quarter at a corner, counted from (0,0) by (1,0) and (1,1) to (0,1), modulo four.
+    Square Quarter(int corner) const {
+        const float half = size * 0.5f;
+        const int c = corner & 3;
+        return {c == 1 || c == 2 ? u + half : u, c >= 2 ? v + half : v, half};
+    }
+};
+
+/// Turns a 4x4 grid of points: what began at (0,0) then begins at a corner.
+inline void TurnGrid(const Vec3f from[16], int corner, Vec3f to[16]) {
+    for (int i = 0; i < 4; ++i) {
+        for (int j = 0; j < 4; ++j) {
+            const int row = corner == 0 ? i : corner == 1 ? j : corner == 2 ? 3 - i : 3 - j;
+            const int column = corner == 0 ? j : corner == 1 ? 3 - i : corner == 2 ? 3 - j : i;
+            to[4 * row + column] = from[4 * i + j];
+        }
+    }
+}
+
 /// Part of a patch: its rows run along u if isTransposed is set, else along v (see SplitPatch).
 struct SubPatch {
     BezierRows bezier;
-    float u, v, size;  ///< its corner and its extent in the patch's parameters
-    int splits;        ///< left until it is a quad
+    Square square;
+    int splits;  ///< left until it is a quad
     int firstRay;
     bool isTransposed;
 };
@@ -79,8 +101,13 @@ class PatchIntersector {
         const PatchTable& patches = _surface.Patches();
         const Patch& p = patches.At(patch);
         const int splits = _level - p.depth;
+        const Square whole{0, 0, 1};
         if (p.kind == PatchKind::Extraordinary) {
-            _IntersectExtraordinary(patches, p, splits, firstRay);
+            ExtraordinaryPatch::Points points;
+            _GatherExtraordinary(patches, &points);
+            _SetTolerance(points.data(), static_cast<int>(points.size()));
+            _IntersectExtraordinary(ExtraordinaryPatch(points.data(), p.valence), 0, whole, splits,
+                                    firstRay);
             return;
         }
         if (p.kind == PatchKind::Irregular) {
@@ -88,12 +115,12 @@ class PatchIntersector {
                 GatherIrregular(patches, patch, _surface.PatchPoints().data());
             const Box3f hull = irregular.HullBox();
             _SetTolerance(&hull.lower, 2);
-            _IntersectIrregular(irregular, 0, 0, 1, splits, firstRay);
+            _IntersectIrregular(irregular, whole, splits, firstRay);
             return;
         }
         const BezierPatch bezier = GatherBezier(patches, patch, _surface.PatchPoints().data());
         _SetTolerance(&bezier.points[0][0], 16);
-        _IntersectBezier(bezier, 0, 0, 1, splits, firstRay);
+        _IntersectBezier(bezier, whole, splits, firstRay);
     }
 
     /// How far apart neighbouring patches may compute the same point.
@@ -106,19 +133,22 @@ class PatchIntersector {
         _tolerance = 2.5e-7f * largest;
     }
 
-    void _IntersectExtraordinary(const PatchTable& patches, const Patch& patch, int splits,
-                                 int firstRay) {
+    void _GatherExtraordinary(const PatchTable& patches, ExtraordinaryPatch::Points* points) const {
         const uint32_t* indices = patches.Indices(_patch);
-        _ring.resize(2 * patch.valence + 8);
-        for (size_t i = 0; i < _ring.size(); ++i) {
-            _ring[i] = _surface.PatchPoints()[indices[i]];
+        points->resize(patches.IndexCount(_patch));
+        for (size_t i = 0; i < points->size(); ++i) {
+            (*points)[i] = _surface.PatchPoints()[indices[i]];
         }
-        _SetTolerance(_ring.data(), static_cast<int>(_ring.size()));
-        ExtraordinaryPatch extraordinary(_ring.data(), patch.valence);
-        float size = 1;
+    }
+
+    /// Splits towards the extraordinary vertex: each step leaves three regular quarters, and in the
+    /// end the quad at the vertex.
+    /// @param corner  of the square (u, v, size) that the vertex is at
+    void _IntersectExtraordinary(ExtraordinaryPatch patch, int corner, Square square, int splits,
+                                 int firstRay) {
         for (; splits > 0; --splits) {
             Box3f box;
-            for (const Vec3f& p : extraordinary.ControlPoints()) {
+            for (const Vec3f& p : patch.ControlPoints()) {
                 box.Extend(p);
             }
             firstRay = _FirstRay(_Widened(box), firstRay);
@@ -127,30 +157,40 @@ class PatchIntersector {
             }
             ++_statistics.subdivisionsIrregular;
             ExtraordinaryPatch::RegularQuarters quarters;
-            extraordinary.Subdivide(&quarters);
-            size *= 0.5f;
-            const float u[3] = {size, size, 0}, v[3] = {0, size, size};
+            patch.Subdivide(&quarters);
             for (int i = 0; i < 3; ++i) {
-                _IntersectBezier(BezierPatch::FromBSpline(quarters.points[i]), u[i], v[i], size,
+                Vec3f points[16];
+                TurnGrid(quarters.points[i], corner, points);
+                _IntersectBezier(BezierPatch::FromBSpline(points), square.Quarter(corner + 1 + i),
                                  splits - 1, firstRay);
             }
+            square = square.Quarter(corner);
         }
-        Vec3f corners[4];
-        extraordinary.LimitCorners(corners);
-        _IntersectLimitQuad(corners, 0, 0, size, firstRay);
+        Vec3f corners[4], turned[4];
+        patch.LimitCorners(corners);
+        for (int i = 0; i < 4; ++i) {
+            turned[(i + corner) & 3] = corners[i];
+        }
+        _IntersectLimitQuad(turned, square, firstRay);
     }
 
-    void _IntersectIrregular(const IrregularPatch& patch, float u, float v, float size, int splits,
-                             int firstRay) {
+    void _IntersectIrregular(const IrregularPatch& patch, Square square, int splits, int firstRay) {
         Vec3f bspline[16];
         if (patch.ToBSpline(bspline)) {
-            _IntersectBezier(BezierPatch::FromBSpline(bspline), u, v, size, splits, firstRay);
+            _IntersectBezier(BezierPatch::FromBSpline(bspline), square, splits, firstRay);
+            return;
+        }
+        ExtraordinaryPatch::Points points;
+        const int corner = patch.ToExtraordinary(&points);
+        if (corner >= 0) {
+            const ExtraordinaryPatch turned(points.data(), patch.rings[corner].FaceCount());
+            _IntersectExtraordinary(turned, corner, square, splits, firstRay);
             return;
         }
         if (splits == 0) {
             Vec3f corners[4];
             patch.LimitCorners(corners);
-            _IntersectLimitQuad(corners, u, v, size, firstRay);
+            _IntersectLimitQuad(corners, square, firstRay);
             return;
         }
         firstRay = _FirstRay(_Widened(patch.HullBox()), firstRay);
@@ -160,20 +200,18 @@ class PatchIntersector {
         ++_statistics.subdivisionsIrregular;
         IrregularPatch quarters[4];
         patch.Subdivide(quarters);
-        const float half = size * 0.5f;
         for (int i = 0; i < 4; ++i) {
-            _IntersectIrregular(quarters[i], i == 1 || i == 2 ? u + half : u, i >= 2 ? v + half : v,
-                                half, splits - 1, firstRay);
+            _IntersectIrregular(quarters[i], square.Quarter(i), splits - 1, firstRay);
         }
     }
 
     /// A quad of the last level whose box has not been tested yet.
-    void _IntersectLimitQuad(const Vec3f corners[4], float u, float v, float size, int firstRay) {
+    void _IntersectLimitQuad(const Vec3f corners[4], const Square& square, int firstRay) {
         Box3f box;
         for (int i = 0; i < 4; ++i) {
             box.Extend(corners[i]);
         }
-        _IntersectQuad(corners, _Widened(box), u, v, size, firstRay);
+        _IntersectQuad(corners, _Widened(box), square, firstRay);
     }
 
     Box3f _Widened(Box3f box) const {
@@ -196,12 +234,12 @@ class PatchIntersector {
         return first;
     }
 
-    void _IntersectBezier(const BezierPatch& bezier, float u, float v, float size, int splits,
+    void _IntersectBezier(const BezierPatch& bezier, const Square& square, int splits,
                           int firstRay) {
         // Each split leaves at most three parts behind.
         SubPatch stack[3 * kMaxSplits + 1];
         int count = 0;
-        stack[count++] = {BezierRows(bezier), u, v, size, splits, firstRay, false};
+        stack[count++] = {BezierRows(bezier), square, splits, firstRay, false};
         while (count > 0) {
             SubPatch& part = stack[--count];
             const Box3f box = _Widened(HullBox(part.bezier));
@@ -215,7 +253,7 @@ class PatchIntersector {
                     part.bezier.Corner(part.isTransposed, !part.isTransposed),
                     part.bezier.Corner(1, 1),
                     part.bezier.Corner(!part.isTransposed, part.isTransposed)};
-                _IntersectQuad(corners, box, part.u, part.v, part.size, first);
+                _IntersectQuad(corners, box, part.square, first);
                 continue;
             }
             if (part.splits == kBlockSplits) {
@@ -261,30 +299,31 @@ class PatchIntersector {
             _rays.rays.tMax[ray] = hit.t;
             _hits->instance[ray] = _instance;
             _hits->patch[ray] = _patch;
-            _hits->u[ray] = part.u + part.size * (part.isTransposed ? hit.v : hit.u);
-            _hits->v[ray] = part.v + part.size * (part.isTransposed ? hit.u : hit.v);
+            const Square& square = part.square;
+            _hits->u[ray] = square.u + square.size * (part.isTransposed ? hit.v : hit.u);
+            _hits->v[ray] = square.v + square.size * (part.isTransposed ? hit.u : hit.v);
         }
     }
 
     void _PushQuarters(const SubPatch& part, int firstRay, SubPatch* stack, int* count) {
         BezierRows quarters[4];
         SplitPatch(part.bezier, quarters);
-        const float half = part.size * 0.5f, u = part.u, v = part.v;
+        const Square square = part.square;
         const int splits = part.splits - 1;
         const bool isTransposed = part.isTransposed;
         for (int i = 0; i < 4; ++i) {
             const bool isHighRow = (i & 2) != 0, isHighColumn = (i & 1) != 0;
             const bool isHighU = isTransposed ? isHighRow : isHighColumn;
             const bool isHighV = isTransposed ? isHighColumn : isHighRow;
-            stack[(*count)++] = {
-                quarters[i], isHighU ? u + half : u, isHighV ? v + half : v, half, splits,
-                firstRay,    !isTransposed};
+            const int corner = isHighV ? (isHighU ? 2 : 3) : (isHighU ? 1 : 0);
+            stack[(*count)++] = {quarters[i], square.Quarter(corner), splits, firstRay,
+                                 !isTransposed};
         }
     }
 
     /// The final intersection (paper, section 3.5): two triangles, and of the rays only those that
     /// hit the quad's box, by vectors.
-    void _IntersectQuad(const Vec3f corners[4], const Box3f& box, float u, float v, float size,
+    void _IntersectQuad(const Vec3f corners[4], const Box3f& box, const Square& square,
                         int firstRay) {
         ++_statistics.finalIntersections;
         const Tag d;
@@ -304,18 +343,17 @@ class PatchIntersector {
             const auto tMin = hn::Load(d, _rays.rays.tMin + group);
             const auto lower = IntersectTriangle(d, rays, c0, c1, c2, slack, tMin,
                                                  hn::Load(d, _rays.rays.tMax + group));
-            _isShortened |= _Record(group, lower, u, v, size, true);
+            _isShortened |= _Record(group, lower, square, true);
             const auto upper = IntersectTriangle(d, rays, c0, c2, c3, slack, tMin,
                                                  hn::Load(d, _rays.rays.tMax + group));
-            _isShortened |= _Record(group, upper, u, v, size, false);
+            _isShortened |= _Record(group, upper, square, false);
         }
     }
 
     /// Notes the hits of a group of rays on a triangle, where they are nearer than what the rays
     /// have. The triangle is (0,0) (1,0) (1,1) of the quad if isLower is set, else (0,0) (1,1)
     /// (0,1).
-    bool _Record(int group, const TriangleHit<Tag>& hit, float u, float v, float size,
-                 bool isLower) {
+    bool _Record(int group, const TriangleHit<Tag>& hit, const Square& square, bool isLower) {
         const Tag d;
         if (hn::AllFalse(d, hit.hit)) {
             return false;
@@ -330,11 +368,11 @@ class PatchIntersector {
         const auto both = hn::Min(hn::Add(hit.weightB, hit.weightC), hn::Set(d, 1.0f));
         const auto quadU = isLower ? both : hit.weightB;
         const auto quadV = isLower ? hit.weightC : both;
-        const auto scale = hn::Set(d, size);
-        hn::Store(hn::IfThenElse(hit.hit, hn::Add(hn::Set(d, u), hn::Mul(scale, quadU)),
+        const auto scale = hn::Set(d, square.size);
+        hn::Store(hn::IfThenElse(hit.hit, hn::Add(hn::Set(d, square.u), hn::Mul(scale, quadU)),
                                  hn::Load(d, _hits->u + group)),
                   d, _hits->u + group);
-        hn::Store(hn::IfThenElse(hit.hit, hn::Add(hn::Set(d, v), hn::Mul(scale, quadV)),
+        hn::Store(hn::IfThenElse(hit.hit, hn::Add(hn::Set(d, square.v), hn::Mul(scale, quadV)),
                                  hn::Load(d, _hits->v + group)),
                   d, _hits->v + group);
         const hn::RebindToUnsigned<Tag> du;
@@ -358,7 +396,6 @@ class PatchIntersector {
     float _tolerance = 0;
     int _doneRays = 0;
     bool _isShortened = false;
-    std::vector<Vec3f> _ring;
 };
 
 }  // namespace HWY_NAMESPACE
