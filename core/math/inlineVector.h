@@ -21,10 +21,15 @@ class InlineVector {
     InlineVector(InlineVector&& other) noexcept { *this = std::move(other); }
 
     InlineVector& operator=(const InlineVector& other) {
-        assign(other.begin(), other.end());
+        if (this != &other) {
+            assign(other.begin(), other.end());
+        }
         return *this;
     }
     InlineVector& operator=(InlineVector&& other) noexcept {
+        if (this == &other) {
+            return *this;
+        }
         if (other._heap) {
             _heap = std::move(other._heap);
             _capacity = other._capacity;

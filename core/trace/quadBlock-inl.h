@@ -234,10 +234,9 @@ class QuadBlock {
         constexpr float kSize = 1.0f / kBlockSide;
         best->isHit = true;
         best->t = distance[index];
-        best->u =
-            (static_cast<float>(quad % kBlockSide) + (triangle == 0 ? both : weightB)) * kSize;
-        best->v =
-            (static_cast<float>(quad / kBlockSide) + (triangle == 0 ? weightC : both)) * kSize;
+        const size_t column = quad % kBlockSide, row = quad / kBlockSide;
+        best->u = (static_cast<float>(column) + (triangle == 0 ? both : weightB)) * kSize;
+        best->v = (static_cast<float>(row) + (triangle == 0 ? weightC : both)) * kSize;
     }
 
     static float _Clamp(float x) { return x > 0 ? (x < 1 ? x : 1) : 0; }

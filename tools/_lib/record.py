@@ -41,14 +41,16 @@ def _record(options: RecordOptions) -> int:
 
 def _render(options: RecordOptions, runtime: build.Runtime) -> int:
     """Runs the process that renders, and shows what it says until it ends."""
-    bar = ProgressBar(enabled=not options.quiet)
+    bar = ProgressBar(not options.quiet, runtime.python)
     with ExitStack() as stack:
+        stack.callback(bar.close)
         progress_read, progress_write = os.pipe()
         stack.callback(os.close, progress_read)
         options.progress_fd = progress_write if sys.stderr.isatty() and not options.quiet else -1
         child = subprocess.Popen(
             [str(runtime.python), "-m", "_lib.render_process"],
             stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
             env=runtime.environment,
             pass_fds=[progress_write],
@@ -57,27 +59,36 @@ def _render(options: RecordOptions, runtime: build.Runtime) -> int:
         stack.callback(_end, child)
         child.stdin.write(json.dumps(options.as_dict()).encode())
         child.stdin.close()
-        _relay(child.stderr.fileno(), progress_read, bar)
-        bar.clear()
+        _relay(child, progress_read, bar)
+        bar.close()
         return _exit_code(child.wait())
 
 
-def _relay(messages_fd: int, progress_fd: int, bar: ProgressBar) -> None:
-    """Shows messages and progress until both pipes are closed at the other end."""
+def _relay(child: subprocess.Popen, progress_fd: int, bar: ProgressBar) -> None:
+    """Shows messages and progress until all pipes are closed at the other end."""
+    results_fd, messages_fd = child.stdout.fileno(), child.stderr.fileno()
     with selectors.DefaultSelector() as selector:
-        selector.register(messages_fd, selectors.EVENT_READ)
-        selector.register(progress_fd, selectors.EVENT_READ)
+        for fd in (results_fd, messages_fd, progress_fd):
+            selector.register(fd, selectors.EVENT_READ)
         while selector.get_map():
             for key, _ in selector.select():
                 data = os.read(key.fd, 65536)
                 if not data:
                     selector.unregister(key.fd)
-                elif key.fd == messages_fd:
-                    bar.clear()
-                    for line in diagnostics.translate(data.decode(errors="replace")):
-                        print(line, file=sys.stderr, flush=True)
-                else:
+                elif key.fd == progress_fd:
                     _show_progress(data, bar)
+                else:
+                    bar.clear()
+                    text = data.decode(errors="replace")
+                    if key.fd == results_fd:
+                        print(text, end="", flush=True)
+                    else:
+                        _show_messages(text)
+
+
+def _show_messages(text: str) -> None:
+    for line in diagnostics.translate(text):
+        print(line, file=sys.stderr, flush=True)
 
 
 def _show_progress(data: bytes, bar: ProgressBar) -> None:
