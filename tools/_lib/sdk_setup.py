@@ -91,9 +91,9 @@ def set_up(sdk: Sdk, report: Report) -> None:
 # ---- Steps -------------------------------------------------------------------------------------
 
 
-def install_packages(report: Report) -> None:
+def install_packages(report: Report, listed_in: str = "apt-packages.txt") -> None:
     """Installs the Debian packages that are missing; without the right to, says how."""
-    missing = missing_packages(required_packages())
+    missing = missing_packages(required_packages(listed_in))
     if not missing:
         return
     if os.geteuid() != 0:
@@ -278,9 +278,9 @@ def link_libraries(sdk: Sdk, folder: Path) -> None:
 # ---- Packages ----------------------------------------------------------------------------------
 
 
-def required_packages() -> list[str]:
-    """The names in apt-packages.txt."""
-    lines = (INPUTS / "apt-packages.txt").read_text().splitlines()
+def required_packages(listed_in: str) -> list[str]:
+    """The names in a file beside the requirements."""
+    lines = (INPUTS / listed_in).read_text().splitlines()
     return [line for line in lines if line and not line.startswith("#")]
 
 

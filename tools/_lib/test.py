@@ -4,7 +4,7 @@ import argparse
 import sys
 import time
 
-from . import test_lint, test_programs, test_python
+from . import test_fuzz, test_lint, test_programs, test_python
 from .console import CommandError, error
 from .test_stage import Outcome, Settings, Stage
 
@@ -22,6 +22,7 @@ STAGES = (
     Stage("scenes", test_python.scenes, needs=("set-up",)),
     Stage("clang-tidy", test_lint.check_cpp, needs=("build",)),
     Stage("sanitize", test_programs.run_sanitized_units, needs=("set-up",)),
+    Stage("fuzz", test_fuzz.fuzz, needs=("set-up",)),
 )
 
 

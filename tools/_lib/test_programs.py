@@ -17,7 +17,7 @@ def set_up(_: Settings) -> Outcome:
 
 def build_all(_: Settings) -> Outcome:
     """Everything compiles, without warnings."""
-    return _build("release", "all")
+    return build_preset("release", "all")
 
 
 def run_units(_: Settings) -> Outcome:
@@ -27,7 +27,7 @@ def run_units(_: Settings) -> Outcome:
 
 def run_sanitized_units(_: Settings) -> Outcome:
     """The unit tests of core under AddressSanitizer and UndefinedBehaviorSanitizer."""
-    built = _build("sanitize", "cc_unit")
+    built = build_preset("sanitize", "cc_unit")
     if built.failed:
         return built
     environment = dict(os.environ)
@@ -36,7 +36,7 @@ def run_sanitized_units(_: Settings) -> Outcome:
     return _ctest(BUILD / "sanitize", environment)
 
 
-def _build(preset: str, target: str) -> Outcome:
+def build_preset(preset: str, target: str) -> Outcome:
     try:
         build.build_target(target, preset=preset, quiet=True, more_sources=("tests",))
     except CommandError as failure:
