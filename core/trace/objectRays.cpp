@@ -1,54 +1,94 @@
 #include "core/trace/objectRays.h"
 
-#include <cmath>
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/trace/objectRays.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
 
+HWY_BEFORE_NAMESPACE();
 namespace cc {
-namespace {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
 
-/// The reciprocal for slab tests: of a zero, large but finite, so that zero times it is zero.
-float SafeInverse(float d) {
-    constexpr float kTiny = 1e-30f;
-    return 1 / (std::fabs(d) < kTiny ? std::copysign(kTiny, d) : d);
+/// Rows of a transform times points (with translation) or directions (without). Doubles: origin
+/// and translation may be large and nearly cancel. A plain loop, which compilers vectorize.
+void TransformComponents(const AffineTransform& m, bool isPoint, int count,
+                         const float* HWY_RESTRICT x, const float* HWY_RESTRICT y,
+                         const float* HWY_RESTRICT z, float* HWY_RESTRICT outX,
+                         float* HWY_RESTRICT outY, float* HWY_RESTRICT outZ) {
+    double row[3][4];
+    for (int r = 0; r < 3; ++r) {
+        for (int c = 0; c < 4; ++c) {
+            row[r][c] = c < 3 || isPoint ? m(r, c) : 0;
+        }
+    }
+    float* const out[3] = {outX, outY, outZ};
+    for (int r = 0; r < 3; ++r) {
+        const double a = row[r][0], b = row[r][1], c = row[r][2], d = row[r][3];
+        float* HWY_RESTRICT to = out[r];
+        for (int i = 0; i < count; ++i) {
+            to[i] = static_cast<float>(a * x[i] + b * y[i] + c * z[i] + d);
+        }
+    }
 }
 
-void FillDone(int lane, ObjectRays* out) {
-    out->originX[lane] = out->originY[lane] = out->originZ[lane] = 0;
-    out->directionX[lane] = out->directionY[lane] = out->directionZ[lane] = 1;
-    out->inverseX[lane] = out->inverseY[lane] = out->inverseZ[lane] = 1;
-    out->length[lane] = 1;
-    out->tMin[lane] = 0;
-    out->tMax[lane] = -1;
+/// Reciprocals for slab tests: of a zero, large but finite, so that zero times it is zero.
+void InvertDirections(const float* direction, int count, float* inverse) {
+    const hn::CappedTag<float, 16> d;
+    const auto tiny = hn::Set(d, 1e-30f);
+    for (int i = 0; i < count; i += static_cast<int>(hn::Lanes(d))) {
+        const auto v = hn::Load(d, direction + i);
+        const auto safe = hn::IfThenElse(hn::Lt(hn::Abs(v), tiny), hn::CopySign(tiny, v), v);
+        hn::Store(hn::Div(hn::Set(d, 1.0f), safe), d, inverse + i);
+    }
 }
 
-}  // namespace
+void MeasureDirections(ObjectRays* rays, int count) {
+    const hn::CappedTag<float, 16> d;
+    for (int i = 0; i < count; i += static_cast<int>(hn::Lanes(d))) {
+        const auto x = hn::Load(d, rays->directionX + i), y = hn::Load(d, rays->directionY + i),
+                   z = hn::Load(d, rays->directionZ + i);
+        const auto square = hn::Add(hn::Add(hn::Mul(x, x), hn::Mul(y, y)), hn::Mul(z, z));
+        hn::Store(hn::Sqrt(square), d, rays->length + i);
+    }
+}
 
-void TransformRays(const RayPacket& rays, const AffineTransform& worldToObject, ObjectRays* out) {
-    const AffineTransform& m = worldToObject;
-    out->count = rays.count;
-    for (int i = 0; i < rays.count; ++i) {
-        // Doubles: origin and translation may be large and nearly cancel.
-        const double ox = rays.originX[i], oy = rays.originY[i], oz = rays.originZ[i];
-        const double dx = rays.directionX[i], dy = rays.directionY[i], dz = rays.directionZ[i];
-        out->originX[i] = static_cast<float>(m(0, 0) * ox + m(0, 1) * oy + m(0, 2) * oz + m(0, 3));
-        out->originY[i] = static_cast<float>(m(1, 0) * ox + m(1, 1) * oy + m(1, 2) * oz + m(1, 3));
-        out->originZ[i] = static_cast<float>(m(2, 0) * ox + m(2, 1) * oy + m(2, 2) * oz + m(2, 3));
-        const auto x = static_cast<float>(m(0, 0) * dx + m(0, 1) * dy + m(0, 2) * dz);
-        const auto y = static_cast<float>(m(1, 0) * dx + m(1, 1) * dy + m(1, 2) * dz);
-        const auto z = static_cast<float>(m(2, 0) * dx + m(2, 1) * dy + m(2, 2) * dz);
-        out->directionX[i] = x;
-        out->directionY[i] = y;
-        out->directionZ[i] = z;
-        out->inverseX[i] = SafeInverse(x);
-        out->inverseY[i] = SafeInverse(y);
-        out->inverseZ[i] = SafeInverse(z);
-        out->length[i] = std::sqrt(x * x + y * y + z * z);
+void Transform(const RayPacket& rays, const AffineTransform& worldToObject, ObjectRays* out) {
+    const int count = rays.count;
+    TransformComponents(worldToObject, true, count, rays.originX, rays.originY, rays.originZ,
+                        out->originX, out->originY, out->originZ);
+    TransformComponents(worldToObject, false, count, rays.directionX, rays.directionY,
+                        rays.directionZ, out->directionX, out->directionY, out->directionZ);
+    const int padded = (count + 15) & ~15;
+    for (int i = count; i < padded; ++i) {
+        out->originX[i] = out->originY[i] = out->originZ[i] = 0;
+        out->directionX[i] = out->directionY[i] = out->directionZ[i] = 1;
+        out->tMin[i] = 0;
+        out->tMax[i] = -1;
+    }
+    for (int i = 0; i < count; ++i) {
         out->tMin[i] = rays.tMin[i];
         out->tMax[i] = rays.tMax[i];
     }
-    const int end = (rays.count + 15) & ~15;
-    for (int i = rays.count; i < end; ++i) {
-        FillDone(i, out);
-    }
+    InvertDirections(out->directionX, padded, out->inverseX);
+    InvertDirections(out->directionY, padded, out->inverseY);
+    InvertDirections(out->directionZ, padded, out->inverseZ);
+    MeasureDirections(out, padded);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace cc
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace cc {
+
+HWY_EXPORT(Transform);
+
+void TransformRays(const RayPacket& rays, const AffineTransform& worldToObject, ObjectRays* out) {
+    out->count = rays.count;
+    HWY_DYNAMIC_DISPATCH(Transform)(rays, worldToObject, out);
 }
 
 }  // namespace cc
+#endif  // HWY_ONCE
