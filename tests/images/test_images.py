@@ -21,6 +21,8 @@ AOVS = ("primId", "instanceId", "elementId", "cameraDepth")
 OPTIONS = ("--imageWidth", "160", "--set", "hdcc:samples=8", "--set", "hdcc:level=4")
 #: Options of scenes that need others; the last one given holds.
 MORE_OPTIONS: dict[str, tuple[str, ...]] = {"hero": ("--imageWidth", "180")}
+#: Scenes in which surfaces coincide: which of them a ray meets first is up to rounding.
+COINCIDENT = ("degenerate_faces",)
 MOST_BYTES = 200_000
 
 
@@ -45,6 +47,14 @@ def _name(scene: Path) -> str:
     return "-".join(scene.relative_to(ROOT / "usd_scenes").with_suffix("").parts)
 
 
+def _compared(scene: Path, picture: Path) -> dict[str, np.ndarray]:
+    """The layers of a picture that its scene decides."""
+    found = layers(picture)
+    if scene.stem in COINCIDENT:
+        del found["elementId"]
+    return found
+
+
 def test_there_are_scenes() -> None:
     assert SCENES
 
@@ -60,7 +70,7 @@ def test_baseline(scene: Path, update_baselines: bool) -> None:
     MADE.mkdir(parents=True, exist_ok=True)
     made = MADE / baseline.name
     _render(scene, made)
-    found = differences(layers(made), layers(baseline))
+    found = differences(_compared(scene, made), _compared(scene, baseline))
     assert not found, "\n".join([*found, f"see {made} and {baseline}"])
 
 
