@@ -147,6 +147,27 @@ bool EvaluateIfSimple(const IrregularPatch& patch, float u, float v, LimitPoint*
     return false;
 }
 
+/// The surface at a corner of a patch that no halving makes simple.
+LimitPoint EvaluateCorner(const IrregularPatch& patch, int corner) {
+    const float u = corner == 1 || corner == 2 ? 1 : 0, v = corner >= 2 ? 1 : 0;
+    Vec3f corners[4];
+    patch.LimitCorners(corners);
+    Vec3f towardsNext, towardsPrevious;
+    if (!patch.rings[corner].LimitTangents(patch.faces[corner], &towardsNext, &towardsPrevious)) {
+        return EvaluateBezier(BezierPatch::FromBilinear(corners), u, v);
+    }
+    LimitPoint point;
+    point.position = corners[corner];
+    point.normal = Normalize(Cross(towardsNext, towardsPrevious));
+    const bool isTurned = corner % 2 != 0;
+    point.du = isTurned ? towardsPrevious : towardsNext;
+    point.dv = isTurned ? towardsNext : towardsPrevious;
+    // Towards the corner's neighbours is along u or v, or against them.
+    point.du *= u > 0 ? -1.0f : 1.0f;
+    point.dv *= v > 0 ? -1.0f : 1.0f;
+    return point;
+}
+
 /// Subdivides towards (u, v) until the surface there is simple, or so small that it is flat.
 LimitPoint EvaluateIrregular(const IrregularPatch& patch, float u, float v) {
     // About the nearest corner, so that small parts near it keep their relative precision.
@@ -171,9 +192,7 @@ LimitPoint EvaluateIrregular(const IrregularPatch& patch, float u, float v) {
         isDone = EvaluateIfSimple(local, u, v, &point);
     }
     if (!isDone) {
-        Vec3f corners[4];
-        local.LimitCorners(corners);
-        point = EvaluateBezier(BezierPatch::FromBilinear(corners), u, v);
+        point = EvaluateCorner(local, nearest);
     }
     point.position += origin;
     point.du *= scale;

@@ -1,9 +1,12 @@
 #include "core/subdiv/vertexRing.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace cc {
 namespace {
+
+constexpr double kPi = 3.14159265358979323846;
 
 bool IsInfinite(float sharpness) { return sharpness >= kInfiniteSharpness; }
 bool IsSemiSharp(float sharpness) { return sharpness > 0 && !IsInfinite(sharpness); }
@@ -203,6 +206,59 @@ Vec3f VertexRing::LimitPosition() const {
     }
     const float n = static_cast<float>(FaceCount());
     return (center * (n * n) + edgeSum * 4 + diagonalSum) * (1 / (n * (n + 5)));
+}
+
+bool VertexRing::LimitTangents(int face, Vec3f* towardsEdge, Vec3f* towardsNextEdge) const {
+    const Rule rule = _VertexRule();
+    if (!IsSettled() || _IsDart() || (rule == Rule::Crease && FaceCount() < 2)) {
+        return false;
+    }
+    Vec3f* const tangents[2] = {towardsEdge, towardsNextEdge};
+    const Vec3f along = isClosed ? Vec3f{} : edges.front() - edges.back();
+    const Vec3f across = rule == Rule::Crease ? _TangentAcrossCrease() : Vec3f{};
+    for (int i = 0; i < 2; ++i) {
+        if (rule == Rule::Corner) {
+            *tangents[i] = edges[Wrap(face + i)] - center;
+        } else if (rule == Rule::Smooth) {
+            *tangents[i] = _SmoothTangent(face + i);
+        } else {
+            const double angle = kPi * (face + i) / FaceCount();
+            *tangents[i] = along * static_cast<float>(std::cos(angle)) +
+                           across * static_cast<float>(std::sin(angle));
+        }
+    }
+    return true;
+}
+
+/// The mask of Halstead et al. 1993.
+Vec3f VertexRing::_SmoothTangent(int towardsEdge) const {
+    const double angle = 2 * kPi / FaceCount();
+    const double a =
+        1 + std::cos(angle) + std::cos(angle / 2) * std::sqrt(2 * (9 + std::cos(angle)));
+    Vec3f tangent;
+    for (int j = 0; j < FaceCount(); ++j) {
+        const double c0 = std::cos(angle * (j - towardsEdge));
+        const double c1 = std::cos(angle * (j + 1 - towardsEdge));
+        tangent +=
+            edges[j] * static_cast<float>(a * c0) + diagonals[j] * static_cast<float>(c0 + c1);
+    }
+    return tangent;
+}
+
+/// The mask of Biermann et al. 2000 for the tangent that leaves a crease.
+Vec3f VertexRing::_TangentAcrossCrease() const {
+    const double angle = kPi / FaceCount(), cosine = std::cos(angle);
+    const double r = (cosine + 1) / std::sin(angle);
+    Vec3f sum = center * static_cast<float>(4 * r * (cosine - 1)) +
+                (edges.front() + edges.back()) * static_cast<float>(-r * (1 + 2 * cosine));
+    for (int j = 0; j < FaceCount(); ++j) {
+        const double s0 = std::sin(angle * j), s1 = std::sin(angle * (j + 1));
+        sum += diagonals[j] * static_cast<float>(s0 + s1);
+        if (j > 0) {
+            sum += edges[j] * static_cast<float>(4 * s0);
+        }
+    }
+    return sum;
 }
 
 void VertexRing::Translate(const Vec3f& by) {

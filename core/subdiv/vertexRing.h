@@ -52,6 +52,13 @@ struct VertexRing {
     /// Where the vertex goes in the limit.
     Vec3f LimitPosition() const;
 
+    /// Tangents of the surface at the settled vertex, of arbitrary length, towards the two edges of
+    /// a face; their cross product points along the outward normal. Where the surface has a kink
+    /// in the face's side, as in a corner of several faces, they are the face's own edges, as
+    /// OpenSubdiv has it. Returns false if no mask is known: at a dart, or where a smooth boundary
+    /// has a single face.
+    bool LimitTangents(int face, Vec3f* towardsEdge, Vec3f* towardsNextEdge) const;
+
     /// Moves all points.
     void Translate(const Vec3f& by);
 
@@ -60,6 +67,8 @@ struct VertexRing {
 
     Rule _VertexRule() const;
     bool _IsDart() const;
+    Vec3f _SmoothTangent(int towardsEdge) const;
+    Vec3f _TangentAcrossCrease() const;
     Vec3f _EdgePoint(int edge, const Diagonals& facePoints) const;
     Vec3f _VertexPoint(Rule rule, const Sharpnesses& sharpness, const Diagonals& facePoints) const;
     /// The two neighbours along the sharp edges, of which there must be two.
