@@ -1,12 +1,9 @@
 #include "core/subdiv/limitPoint.h"
 
-#include <random>
-
 #include <gtest/gtest.h>
 
-#include "core/math/box.h"
 #include "core/subdiv/patchBuilder.h"
-#include "tests/unit/subdiv/limitOracle.h"
+#include "tests/unit/subdiv/surfaceComparison.h"
 #include "tests/unit/subdiv/testCages.h"
 
 namespace cc::test {
@@ -15,35 +12,17 @@ namespace {
 class LimitPointTest : public testing::TestWithParam<Cage> {};
 
 TEST_P(LimitPointTest, AgreesWithOpenSubdiv) {
-    Cage cage = GetParam();
-    const LimitOracle oracle(cage.mesh, cage.points);
-    ASSERT_TRUE(ValidateControlMesh(&cage.mesh, cage.points.size()).IsValid());
-    std::string error;
-    const PatchTable patches = BuildPatchTable(cage.mesh, cage.points.size(), &error);
-    ASSERT_EQ(error, "");
-    ASSERT_GT(patches.Count(), 0u);
-    const std::vector<Vec3f> points = patches.PatchPoints(cage.points);
-    Box3f box;
-    for (const Vec3f& p : cage.points) {
-        box.Extend(p);
-    }
-    std::mt19937 random(7);
-    std::uniform_real_distribution<float> unit(0.01f, 0.99f);
-    for (uint32_t patch = 0; patch < patches.Count(); ++patch) {
-        const float tolerance = 1e-5f * box.Diagonal();
-        for (int i = 0; i < 8; ++i) {
-            const float u = unit(random), v = unit(random);
-            const FaceParameter at = patches.ToFace(patch, u, v);
-            const LimitOracle::Sample expected = oracle.Evaluate(at);
-            ASSERT_TRUE(expected.exists);
-            const LimitPoint actual = EvaluateLimit(patches, patch, points.data(), u, v);
-            EXPECT_LT(Length(actual.position - expected.position), tolerance)
-                << "patch " << patch << " of face " << at.face << " depth "
-                << int(patches.At(patch).depth) << " at " << at.u << " " << at.v;
-            const float sign = cage.mesh.leftHanded ? -1 : 1;
-            EXPECT_GT(Dot(actual.normal, expected.normal) * sign, 0.99999f)
-                << "patch " << patch << " of face " << at.face << " at " << at.u << " " << at.v;
-        }
+    const SurfaceDifference difference = CompareWithOracle(GetParam());
+    EXPECT_EQ(difference.error, "");
+    EXPECT_GT(difference.sampleCount, 0);
+    EXPECT_LT(difference.position, kPositionTolerance) << difference.worstPosition;
+    EXPECT_LT(difference.normal, kNormalTolerance) << difference.worstNormal;
+}
+
+TEST(LimitPoint, AgreesWithRefinementWhereTheOracleContradictsIt) {
+    for (const Cage& cage : KnownDifferences()) {
+        EXPECT_FALSE(CompareWithOracle(cage).IsWithinTolerance()) << cage.name;
+        EXPECT_LT(DifferenceFromRefinement(cage), kPositionTolerance) << cage.name;
     }
 }
 

@@ -1,51 +1,14 @@
 #include "tests/unit/subdiv/testCages.h"
 
+#include <cctype>
 #include <cmath>
+
+#include "tests/unit/subdiv/cageKit.h"
 
 namespace cc::test {
 namespace {
 
 constexpr float kTwoPi = 6.28318530718f;
-
-void AddFace(Cage* cage, const std::vector<int>& vertices) {
-    cage->mesh.faceVertexCounts.push_back(static_cast<int>(vertices.size()));
-    cage->mesh.faceVertexIndices.insert(cage->mesh.faceVertexIndices.end(), vertices.begin(),
-                                        vertices.end());
-}
-
-void AddCrease(Cage* cage, const std::vector<int>& vertices, float sharpness) {
-    cage->mesh.creaseIndices.insert(cage->mesh.creaseIndices.end(), vertices.begin(),
-                                    vertices.end());
-    cage->mesh.creaseLengths.push_back(static_cast<int>(vertices.size()));
-    cage->mesh.creaseSharpnesses.push_back(sharpness);
-}
-
-Cage Named(Cage cage, const std::string& name) {
-    cage.name = name;
-    return cage;
-}
-
-Cage WithBoundary(Cage cage, BoundaryRule rule, const std::string& name) {
-    cage.mesh.boundaryRule = rule;
-    return Named(std::move(cage), name);
-}
-
-Cage WithCrease(Cage cage, const std::vector<int>& vertices, float sharpness,
-                const std::string& name) {
-    AddCrease(&cage, vertices, sharpness);
-    return Named(std::move(cage), name);
-}
-
-Cage WithHoles(Cage cage, const std::vector<int>& holes, const std::string& name) {
-    cage.mesh.holeIndices = holes;
-    return Named(std::move(cage), name);
-}
-
-Cage WithCorner(Cage cage, int vertex, float sharpness, const std::string& name) {
-    cage.mesh.cornerIndices = {vertex};
-    cage.mesh.cornerSharpnesses = {sharpness};
-    return Named(std::move(cage), name);
-}
 
 }  // namespace
 
@@ -170,30 +133,11 @@ std::string TestName(const testing::TestParamInfo<Cage>& info) {
 }
 
 std::vector<Cage> Catalogue() {
-    std::vector<Cage> cages{Cube(), Sheet(4), Torus(8, 6), Tetrahedron(), Fan(3),  Fan(5),
-                            Fan(6), Fan(9),   Drum(3),     Drum(5),       Drum(12)};
-    cages.push_back(WithBoundary(Sheet(4), BoundaryRule::EdgeOnly, "sheet edgeOnly"));
-    cages.push_back(WithBoundary(Sheet(5), BoundaryRule::None, "sheet none"));
-    cages.push_back(WithBoundary(Sheet(1), BoundaryRule::EdgeOnly, "one quad edgeOnly"));
-    cages.push_back(Named(Sheet(1), "one quad"));
-    cages.push_back(WithCrease(Sheet(4), {5, 6, 7, 8, 9}, 10, "sheet, sharp crease across"));
-    cages.push_back(WithCrease(Torus(8, 6), {0, 1, 2, 3, 4, 5, 0}, 100, "torus, sharp crease"));
-    cages.push_back(WithCrease(Torus(8, 6), {0, 1, 2, 3, 4, 5, 0}, 1.3f, "torus, crease 1.3"));
-    cages.push_back(WithCrease(Cube(), {0, 1, 5, 4, 0}, 2.5f, "cube, crease 2.5"));
-    cages.push_back(WithHoles(Cube(), {1}, "cube with a hole"));
-    cages.push_back(WithHoles(Torus(8, 6), {3, 9, 10}, "torus with holes"));
-    cages.push_back(WithCorner(Sheet(4), 12, 2.2f, "sheet, corner 2.2"));
-    Cage left = Named(Fan(5), "left-handed fan");
-    left.mesh.leftHanded = true;
-    cages.push_back(left);
-    Cage chaikin = Cube();
-    AddCrease(&chaikin, {0, 1, 5}, 3);
-    AddCrease(&chaikin, {5, 4, 0}, 1);
-    chaikin.mesh.creaseRule = CreaseRule::Chaikin;
-    cages.push_back(Named(chaikin, "cube, Chaikin creases"));
-    Cage smooth = Named(Tetrahedron(), "tetrahedron, smooth triangles");
-    smooth.mesh.triangleRule = TriangleRule::Smooth;
-    cages.push_back(smooth);
+    std::vector<Cage> cages;
+    for (const auto& theme : {ShapeCages(), BoundaryCages(), CreaseCages(), CreaseMeetingCages(),
+                              CornerCages(), NonManifoldCages(), CombinedCages()}) {
+        cages.insert(cages.end(), theme.begin(), theme.end());
+    }
     return cages;
 }
 

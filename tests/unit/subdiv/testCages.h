@@ -32,7 +32,11 @@ Cage Drum(int sides);
 void PrintTo(const Cage& cage, std::ostream* out);
 std::string TestName(const testing::TestParamInfo<Cage>& info);
 
-/// All of the above and variants with creases, corners, darts, holes and boundary rules.
+/// Every kind of cage there is, by theme (cageKit.h): all of the above, and what tags, boundaries
+/// and odd topology make of them.
 std::vector<Cage> Catalogue();
+
+/// Cages on which the oracle contradicts itself, each with the reason.
+std::vector<Cage> KnownDifferences();
 
 }  // namespace cc::test

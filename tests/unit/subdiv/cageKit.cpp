@@ -1,0 +1,69 @@
+#include "tests/unit/subdiv/cageKit.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cc::test {
+
+void AddFace(Cage* cage, const std::vector<int>& vertices) {
+    cage->mesh.faceVertexCounts.push_back(static_cast<int>(vertices.size()));
+    cage->mesh.faceVertexIndices.insert(cage->mesh.faceVertexIndices.end(), vertices.begin(),
+                                        vertices.end());
+}
+
+void AddCrease(Cage* cage, const std::vector<int>& vertices, float sharpness) {
+    cage->mesh.creaseIndices.insert(cage->mesh.creaseIndices.end(), vertices.begin(),
+                                    vertices.end());
+    cage->mesh.creaseLengths.push_back(static_cast<int>(vertices.size()));
+    cage->mesh.creaseSharpnesses.push_back(sharpness);
+}
+
+void AddCorner(Cage* cage, int vertex, float sharpness) {
+    cage->mesh.cornerIndices.push_back(vertex);
+    cage->mesh.cornerSharpnesses.push_back(sharpness);
+}
+
+Cage Named(Cage cage, const std::string& name) {
+    cage.name = name;
+    return cage;
+}
+
+Cage WithBoundary(Cage cage, BoundaryRule rule, const std::string& name) {
+    cage.mesh.boundaryRule = rule;
+    return Named(std::move(cage), name);
+}
+
+Cage WithCrease(Cage cage, const std::vector<int>& vertices, float sharpness,
+                const std::string& name) {
+    AddCrease(&cage, vertices, sharpness);
+    return Named(std::move(cage), name);
+}
+
+Cage WithHoles(Cage cage, const std::vector<int>& holes, const std::string& name) {
+    cage.mesh.holeIndices = holes;
+    return Named(std::move(cage), name);
+}
+
+Cage WithCorner(Cage cage, int vertex, float sharpness, const std::string& name) {
+    AddCorner(&cage, vertex, sharpness);
+    return Named(std::move(cage), name);
+}
+
+Cage FromFaces(const std::string& name, const std::vector<std::vector<int>>& faces) {
+    Cage cage;
+    cage.name = name;
+    int last = 0;
+    for (const std::vector<int>& face : faces) {
+        AddFace(&cage, face);
+        last = std::max(last, *std::max_element(face.begin(), face.end()));
+    }
+    for (int i = 0; i <= last; ++i) {
+        const float angle = 2.399963f * static_cast<float>(i);
+        const float radius = 0.5f + 0.3f * static_cast<float>(i);
+        cage.points.push_back({radius * std::cos(angle), radius * std::sin(angle),
+                               std::sin(1.9f * static_cast<float>(i))});
+    }
+    return cage;
+}
+
+}  // namespace cc::test

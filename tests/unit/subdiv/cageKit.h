@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tests/unit/subdiv/testCages.h"
+
+namespace cc::test {
+
+// What the themes of the catalogue build their cages with.
+
+void AddFace(Cage* cage, const std::vector<int>& vertices);
+void AddCrease(Cage* cage, const std::vector<int>& vertices, float sharpness);
+void AddCorner(Cage* cage, int vertex, float sharpness);
+
+// A cage with one thing changed and another name.
+
+Cage Named(Cage cage, const std::string& name);
+Cage WithBoundary(Cage cage, BoundaryRule rule, const std::string& name);
+Cage WithCrease(Cage cage, const std::vector<int>& vertices, float sharpness,
+                const std::string& name);
+Cage WithCorner(Cage cage, int vertex, float sharpness, const std::string& name);
+Cage WithHoles(Cage cage, const std::vector<int>& holes, const std::string& name);
+
+/// A cage of these faces over points that lie on no plane.
+Cage FromFaces(const std::string& name, const std::vector<std::vector<int>>& faces);
+
+// The catalogue by theme.
+
+std::vector<Cage> ShapeCages();          ///< valences, n-gons, degenerate faces; no tags
+std::vector<Cage> BoundaryCages();       ///< the boundary rules, corners of few and many faces
+std::vector<Cage> CreaseCages();         ///< one crease at a time, infinite and semi-sharp
+std::vector<Cage> CreaseMeetingCages();  ///< creases that end, cross and meet
+std::vector<Cage> CornerCages();         ///< sharp vertices
+std::vector<Cage> NonManifoldCages();    ///< edges of three faces, bow ties, duplicate faces
+std::vector<Cage> CombinedCages();       ///< several features at once, holes among them
+
+}  // namespace cc::test
