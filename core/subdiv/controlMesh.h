@@ -19,6 +19,9 @@ enum class CreaseRule { Uniform, Chaikin };
 /// Weights at triangles under Catmull-Clark (UsdGeomMesh triangleSubdivisionRule).
 enum class TriangleRule { CatmullClark, Smooth };
 
+/// Where face-varying values are sharp (UsdGeomMesh faceVaryingLinearInterpolation).
+enum class FaceVaryingRule { None, CornersOnly, CornersPlus1, CornersPlus2, Boundaries, All };
+
 /// The control cage without its points: faces and the tags that shape the surface.
 /// Arrays have the meaning and layout of the UsdGeomMesh attributes of the same name.
 struct ControlMesh {
@@ -26,6 +29,7 @@ struct ControlMesh {
     BoundaryRule boundaryRule = BoundaryRule::EdgeAndCorner;
     CreaseRule creaseRule = CreaseRule::Uniform;
     TriangleRule triangleRule = TriangleRule::CatmullClark;
+    FaceVaryingRule faceVaryingRule = FaceVaryingRule::CornersPlus1;
     bool leftHanded = false;
 
     std::vector<int> faceVertexCounts;

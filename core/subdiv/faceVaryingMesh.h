@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "core/subdiv/controlMesh.h"
+
+namespace cc {
+
+/// A face-varying primvar's topology as a mesh of its own: it has a vertex for each value that
+/// meets at a vertex of the cage, and is cut open where values split. Its limit surface, over
+/// values in place of points, is the primvar as OpenSubdiv defines it.
+struct FaceVaryingMesh {
+    /// Faces are those of the cage, with the same numbers and corners. Tags are validated.
+    ControlMesh mesh;
+    /// Which value each vertex of the mesh has.
+    std::vector<int> values;
+    /// What could only be had approximately, and why; empty if nothing.
+    std::string warning;
+};
+
+/// True if a face-varying primvar is bilinear over each authored face, so that it needs no mesh.
+/// @param isIndexed  false if no two face-vertices share a value
+bool IsFaceVaryingBilinear(const ControlMesh& mesh, bool isIndexed);
+
+/// Cuts a cage open where face-varying values split, and sharpens corners by its faceVaryingRule.
+/// @param mesh          must have passed ValidateControlMesh
+/// @param valueIndices  the value of each face-vertex; equal indices at a vertex are one value
+FaceVaryingMesh MakeFaceVaryingMesh(const ControlMesh& mesh, size_t pointCount,
+                                    const std::vector<int>& valueIndices);
+
+}  // namespace cc
