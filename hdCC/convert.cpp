@@ -60,6 +60,15 @@ static cc::BoundaryRule _ToBoundaryRule(TfToken const &token) {
                                  : cc::BoundaryRule::EdgeAndCorner;
 }
 
+static cc::FaceVaryingRule _ToFaceVaryingRule(TfToken const &token) {
+    return token == "none"           ? cc::FaceVaryingRule::None
+           : token == "cornersOnly"  ? cc::FaceVaryingRule::CornersOnly
+           : token == "cornersPlus2" ? cc::FaceVaryingRule::CornersPlus2
+           : token == "boundaries"   ? cc::FaceVaryingRule::Boundaries
+           : token == "all"          ? cc::FaceVaryingRule::All
+                                     : cc::FaceVaryingRule::CornersPlus1;
+}
+
 template <class T>
 static std::vector<T> _ToVector(VtArray<T> const &values) {
     return std::vector<T>(values.cbegin(), values.cend());
@@ -76,6 +85,7 @@ bool HdCCToControlMesh(HdMeshTopology const &topology, PxOsdSubdivTags const &ta
         tags.GetCreaseMethod() == "chaikin" ? cc::CreaseRule::Chaikin : cc::CreaseRule::Uniform;
     mesh->triangleRule = tags.GetTriangleSubdivision() == "smooth" ? cc::TriangleRule::Smooth
                                                                    : cc::TriangleRule::CatmullClark;
+    mesh->faceVaryingRule = _ToFaceVaryingRule(tags.GetFaceVaryingInterpolationRule());
     mesh->leftHanded = topology.GetOrientation() == "leftHanded";
 
     mesh->faceVertexCounts = _ToVector(topology.GetFaceVertexCounts());

@@ -29,7 +29,8 @@ Expectation ExpectedElements(Interpolation interpolation, const FaceVertices& fa
 
 }  // namespace
 
-ColorField::ColorField(Primvar3f color, const PatchTable& patches) : _color(std::move(color)) {
+ColorField::ColorField(Primvar3f color, const PatchTable& patches, FaceVaryingChannel channel)
+    : _color(std::move(color)), _channel(std::move(channel)) {
     if (_color.values.empty() || _color.interpolation != Interpolation::Vertex) {
         return;
     }
@@ -53,9 +54,12 @@ Vec3f ColorField::Evaluate(const PatchTable& patches, const FaceVertices& faces,
         case Interpolation::Uniform: return _color.Element(patches.AuthoredFace(patch));
         case Interpolation::Vertex:
             return EvaluateLimitValue(patches, patch, _color.values.data(), u, v);
-        case Interpolation::Varying:
         case Interpolation::FaceVarying:
-            return _EvaluateBilinear(faces, patches.ToFace(patch, u, v));
+            if (!_channel.IsEmpty()) {
+                return _channel.Evaluate(patches.ToFace(patch, u, v));
+            }
+            [[fallthrough]];
+        case Interpolation::Varying: return _EvaluateBilinear(faces, patches.ToFace(patch, u, v));
         case Interpolation::Constant: break;
     }
     return _color.Element(0);
@@ -94,11 +98,13 @@ Primvar3f ColorField::TakePrimvar(size_t cagePointCount) {
     if (_color.interpolation == Interpolation::Vertex && _color.values.size() > cagePointCount) {
         _color.values.resize(cagePointCount);
     }
+    _channel = {};
     return std::exchange(_color, {});
 }
 
 size_t ColorField::Bytes() const {
-    return _color.values.capacity() * sizeof(Vec3f) + _color.indices.capacity() * sizeof(int);
+    return _color.values.capacity() * sizeof(Vec3f) + _color.indices.capacity() * sizeof(int) +
+           _channel.Bytes();
 }
 
 std::string CheckColor(const Primvar3f& color, const FaceVertices& faces, size_t pointCount) {

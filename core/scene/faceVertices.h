@@ -40,6 +40,15 @@ class FaceVertices {
     /// The point of a face-vertex.
     size_t Point(size_t faceVertex) const { return static_cast<size_t>(_points[faceVertex]); }
 
+    /// Writes the arrays of UsdGeomMesh that this was made of.
+    void CopyTo(std::vector<int>* counts, std::vector<int>* points) const {
+        counts->clear();
+        for (uint32_t face = 0; face < _faceCount; ++face) {
+            counts->push_back(CountOfFace(face));
+        }
+        *points = _points;
+    }
+
     size_t Bytes() const {
         return _points.capacity() * sizeof(int) + _ends.capacity() * sizeof(uint32_t);
     }

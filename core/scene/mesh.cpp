@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
+
+#include "core/subdiv/faceVaryingMesh.h"
 
 namespace cc {
 namespace {
@@ -40,6 +43,17 @@ bool HasUsableEntries(const AffineTransform& transform) {
         }
     }
     return true;
+}
+
+template <typename T>
+size_t BytesOf(const std::vector<T>& values) {
+    return values.capacity() * sizeof(T);
+}
+
+size_t BytesOfTags(const ControlMesh& mesh) {
+    return BytesOf(mesh.holeIndices) + BytesOf(mesh.creaseIndices) + BytesOf(mesh.creaseLengths) +
+           BytesOf(mesh.creaseSharpnesses) + BytesOf(mesh.cornerIndices) +
+           BytesOf(mesh.cornerSharpnesses);
 }
 
 }  // namespace
@@ -150,7 +164,8 @@ void Mesh::_RebuildSurface(BuildReport* report) {
     _surface = std::move(surface);
     _usedPointCount = CountUsedPoints(_topology);
     _faces = FaceVertices(_topology.faceVertexCounts, std::move(_topology.faceVertexIndices));
-    _topology = {};
+    _tags = std::exchange(_topology, {});
+    _tags.faceVertexCounts = {};
     report->work = SurfaceWork::Rebuilt;
 }
 
@@ -176,13 +191,35 @@ void Mesh::_BuildColor(BuildReport* report) {
     const std::string error = CheckColor(_newColor, _faces, _surface->Patches().CagePointCount());
     _isColorUsable = error.empty();
     if (_isColorUsable) {
-        _color = ColorField(std::exchange(_newColor, {}), _surface->Patches());
+        FaceVaryingChannel channel = _MakeColorChannel(report);
+        _color = ColorField(std::exchange(_newColor, {}), _surface->Patches(), std::move(channel));
     } else {
         // Kept, as the next topology may be the one that it belongs to.
         _color = ColorField();
         report->lines.push_back(error + "; the mesh is shown in grey");
     }
     _colorChanged = false;
+}
+
+FaceVaryingChannel Mesh::_MakeColorChannel(BuildReport* report) const {
+    if (_newColor.interpolation != Interpolation::FaceVarying || _newColor.values.empty() ||
+        IsFaceVaryingBilinear(_tags, !_newColor.indices.empty())) {
+        return {};
+    }
+    ControlMesh mesh = _tags;
+    _faces.CopyTo(&mesh.faceVertexCounts, &mesh.faceVertexIndices);
+    std::vector<int> indices = _newColor.indices;
+    if (indices.empty()) {
+        indices.resize(_newColor.values.size());
+        std::iota(indices.begin(), indices.end(), 0);
+    }
+    std::string warning;
+    FaceVaryingChannel channel(mesh, _surface->Patches().CagePointCount(), _newColor.values,
+                               indices, &warning);
+    if (!warning.empty()) {
+        report->lines.push_back("displayColor: " + warning);
+    }
+    return channel;
 }
 
 void Mesh::_BuildTransform(BuildReport* report) {
@@ -206,7 +243,7 @@ void Mesh::_BuildTransform(BuildReport* report) {
 
 size_t Mesh::_Bytes() const {
     return (_surface ? _surface->Bytes() : 0) + _faces.Bytes() + _color.Bytes() +
-           _points.capacity() * sizeof(Vec3f);
+           _points.capacity() * sizeof(Vec3f) + BytesOfTags(_tags);
 }
 
 }  // namespace cc

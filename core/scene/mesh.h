@@ -66,6 +66,8 @@ class Mesh {
     void _RebuildSurface(BuildReport* report);
     void _MoveSurface(BuildReport* report);
     void _BuildColor(BuildReport* report);
+    /// Of the colour that waits; empty if it needs none.
+    FaceVaryingChannel _MakeColorChannel(BuildReport* report) const;
     void _BuildTransform(BuildReport* report);
     bool _IsShown() const { return BuiltSurface() && _isTransformUsable; }
     size_t _Bytes() const;
@@ -93,6 +95,8 @@ class Mesh {
     std::unique_ptr<Surface> _surface;
     bool _isSurfaceUsable = false;
     FaceVertices _faces;
+    /// Rules and tags of the topology in use, without its faces.
+    ControlMesh _tags;
     /// Points of the cage that faces use: all have lower indices.
     size_t _usedPointCount = 0;
     ColorField _color;

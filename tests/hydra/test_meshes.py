@@ -174,6 +174,40 @@ def test_color_face_varying_indexed() -> None:
     assert np.allclose(found, [RED, BLUE, BLUE, RED], atol=3e-3)
 
 
+@pytest.mark.parametrize(
+    ("rule", "linear"),
+    [
+        ("none", ()),
+        ("cornersOnly", ("lone",)),
+        ("cornersPlus1", ("lone",)),
+        (None, ("lone",)),
+        ("cornersPlus2", ("lone", "bend")),
+        ("boundaries", ("lone", "bend", "edge")),
+        ("all", ("lone", "bend", "edge")),
+    ],
+)
+def test_color_face_varying_rules(rule: str | None, linear: tuple[str, ...]) -> None:
+    stage = make_stage()
+    mesh = add_grid(stage, size=2)
+    if rule is not None:
+        mesh.CreateFaceVaryingLinearInterpolationAttr(rule)
+    primvar = UsdGeom.PrimvarsAPI(mesh).CreatePrimvar(
+        "displayColor", Sdf.ValueTypeNames.Color3fArray, "faceVarying"
+    )
+    # The first face has values of its own. White, but black in the middle and above it.
+    points = [Gf.Vec3f(0 if point in (4, 7) else 1) for point in range(9)]
+    primvar.Set(Vt.Vec3fArray([*points, *points]))
+    face_vertices = mesh.GetFaceVertexIndicesAttr().Get()
+    indices = [p + (9 if i < 4 else 0) for i, p in enumerate(face_vertices)]
+    primvar.SetIndices(Vt.IntArray(indices))
+    found = render(stage)["color"]
+    white = make_stage()
+    add_grid(white, size=2, displayColor=[WHITE])
+    shade = (found / render(white)["color"])[..., 0]
+    places = {"lone": (16, 15), "bend": (15, 16), "edge": (0, 16)}
+    assert tuple(name for name, at in places.items() if shade[at] < 0.15) == linear
+
+
 @pytest.mark.parametrize("orientation", ["rightHanded", "leftHanded"])
 def test_color_face_varying_stays_at_its_corners(orientation: str) -> None:
     stage = make_stage()
