@@ -107,11 +107,11 @@ TEST(LookAheadBounds, HoldTheSurfaceTightly) {
                 exact.Extend(EvaluateLimitValue(patches, patch, points.data(), (i % 17) / 16.0f,
                                                 (i / 17) / 16.0f));
             }
-            for (int i = 0; i < patches.IndexCount(patch); ++i) {
-                ring.Extend(points[patches.Indices(patch)[i]]);
-            }
             EXPECT_TRUE(Holds(bounds, exact)) << cage.name << " patch " << patch;
             if (patches.At(patch).kind == PatchKind::Regular) {
+                for (int i = 0; i < 16; ++i) {
+                    ring.Extend(points[patches.Indices(patch)[i]]);
+                }
                 EXPECT_LT(bounds.Diagonal(), 0.75f * ring.Diagonal()) << cage.name;
             }
         }
