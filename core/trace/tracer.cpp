@@ -5,59 +5,49 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "core/trace/objectRays.h"
+#include "core/trace/instanceTraversal-inl.h"
+#include "core/trace/packetKernels.h"
 #include "core/trace/patchIntersector-inl.h"
-#include "core/trace/traversal-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace cc {
 namespace HWY_NAMESPACE {
 
-/// Traces rays that are in world space already through all instances. Each instance sees them in
-/// its own space; what shortened there is shortened here.
+/// Traces rays that are in world space already through the patches of all instances.
 template <class Rays, bool kAnyHit>
-void TraceInstances(const InstanceBvh& instances, int level, const RayPacket& world,
-                    ObjectRays* worldRays, HitPacket* hits, TraceStatistics* statistics) {
-    Rays rays(worldRays);
-    RayPacket current = world;
-    ObjectRays local;
-    TraverseBvh(instances.TopLevel(), &rays, statistics, [&](uint32_t index, int) {
-        const Instance& instance = instances.Instances()[index];
-        TransformRays(current, instance.worldToObject, &local);
-        Rays localRays(&local);
-        PatchIntersector<Rays, kAnyHit> intersector(*instance.surface, index, level, &localRays,
-                                                    hits, statistics);
-        TraverseBvh(instance.surface->PatchBvh(), &localRays, statistics,
-                    [&](uint32_t patch, int firstRay) {
-                        intersector.Intersect(patch, firstRay);
-                        return !intersector.IsDone();
-                    });
-        for (int i = 0; i < local.count; ++i) {
-            current.tMax[i] = worldRays->tMax[i] = local.tMax[i];
-        }
-        rays.Shortened();
-        return !intersector.IsDone();
-    });
+void TracePatches(const InstanceBvh& instances, int level, const RayPacket& world,
+                  ObjectRays* worldRays, HitPacket* hits, TraceStatistics* statistics) {
+    TraceInstances<Rays>(instances, world, worldRays, statistics,
+                         [&](const Surface& surface, uint32_t instance, Rays* rays) {
+                             PatchIntersector<Rays, kAnyHit> intersector(surface, instance, level,
+                                                                         rays, hits, statistics);
+                             TraverseBvh(surface.PatchBvh(), rays, statistics,
+                                         [&](uint32_t patch, int firstRay) {
+                                             intersector.Intersect(patch, firstRay);
+                                             return !intersector.IsDone();
+                                         });
+                             return !intersector.IsDone();
+                         });
 }
 
 void IntersectPacket(const InstanceBvh& instances, int level, ObjectRays* worldRays,
                      const RayPacket& world, HitPacket* hits, TraceStatistics* statistics) {
-    TraceInstances<PacketRays, false>(instances, level, world, worldRays, hits, statistics);
+    TracePatches<PacketRays, false>(instances, level, world, worldRays, hits, statistics);
 }
 
 void OccludePacket(const InstanceBvh& instances, int level, ObjectRays* worldRays,
                    const RayPacket& world, TraceStatistics* statistics) {
-    TraceInstances<PacketRays, true>(instances, level, world, worldRays, nullptr, statistics);
+    TracePatches<PacketRays, true>(instances, level, world, worldRays, nullptr, statistics);
 }
 
 void IntersectSingle(const InstanceBvh& instances, int level, ObjectRays* worldRays,
                      const RayPacket& world, HitPacket* hits, TraceStatistics* statistics) {
-    TraceInstances<SingleRay, false>(instances, level, world, worldRays, hits, statistics);
+    TracePatches<SingleRay, false>(instances, level, world, worldRays, hits, statistics);
 }
 
 void OccludeSingle(const InstanceBvh& instances, int level, ObjectRays* worldRays,
                    const RayPacket& world, TraceStatistics* statistics) {
-    TraceInstances<SingleRay, true>(instances, level, world, worldRays, nullptr, statistics);
+    TracePatches<SingleRay, true>(instances, level, world, worldRays, nullptr, statistics);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -73,6 +63,16 @@ HWY_EXPORT(OccludePacket);
 HWY_EXPORT(IntersectSingle);
 HWY_EXPORT(OccludeSingle);
 
+void DispatchIntersect(const InstanceBvh& instances, int level, ObjectRays* worldRays,
+                       const RayPacket& world, HitPacket* hits, TraceStatistics* statistics) {
+    HWY_DYNAMIC_DISPATCH(IntersectPacket)(instances, level, worldRays, world, hits, statistics);
+}
+
+void DispatchOcclude(const InstanceBvh& instances, int level, ObjectRays* worldRays,
+                     const RayPacket& world, TraceStatistics* statistics) {
+    HWY_DYNAMIC_DISPATCH(OccludePacket)(instances, level, worldRays, world, statistics);
+}
+
 void Clear(int count, HitPacket* hits) {
     for (int i = 0; i < count; ++i) {
         hits->instance[i] = hits->patch[i] = kNoHit;
@@ -83,7 +83,7 @@ void Clear(int count, HitPacket* hits) {
 /// Traces whole packets: one subdivision of a patch serves up to 64 rays.
 class PacketTracer final : public Tracer {
   public:
-    explicit PacketTracer(int level) : _level(level) {}
+    PacketTracer(const PacketKernels& kernels, int level) : _kernels(kernels), _level(level) {}
 
     void Intersect(const InstanceBvh& instances, RayPacket* rays, HitPacket* hits,
                    TraceStatistics* statistics) const override {
@@ -92,8 +92,7 @@ class PacketTracer final : public Tracer {
         Clear(kPacketSize, hits);
         ObjectRays world;
         TransformRays(*rays, AffineTransform(), &world);
-        HWY_DYNAMIC_DISPATCH(IntersectPacket)
-        (instances, _level, &world, *rays, hits, statistics);
+        _kernels.intersect(instances, _level, &world, *rays, hits, statistics);
         std::copy(world.tMax, world.tMax + rays->count, rays->tMax);
     }
 
@@ -103,7 +102,7 @@ class PacketTracer final : public Tracer {
         statistics->rays += rays.count;
         ObjectRays world;
         TransformRays(rays, AffineTransform(), &world);
-        HWY_DYNAMIC_DISPATCH(OccludePacket)(instances, _level, &world, rays, statistics);
+        _kernels.occlude(instances, _level, &world, rays, statistics);
         uint64_t occluded = 0;
         for (int i = 0; i < rays.count; ++i) {
             const bool wasActive = rays.tMin[i] <= rays.tMax[i];
@@ -113,6 +112,7 @@ class PacketTracer final : public Tracer {
     }
 
   private:
+    const PacketKernels _kernels;
     const int _level;
 };
 
@@ -180,11 +180,15 @@ class SingleTracer final : public Tracer {
 
 Tracer::~Tracer() = default;
 
+std::unique_ptr<Tracer> MakePacketTracer(const PacketKernels& kernels, int level) {
+    return std::make_unique<PacketTracer>(kernels, level);
+}
+
 std::unique_ptr<Tracer> MakeTracer(TracerKind kind, int level) {
     if (kind == TracerKind::Single) {
         return std::make_unique<SingleTracer>(level);
     }
-    return std::make_unique<PacketTracer>(level);
+    return MakePacketTracer({DispatchIntersect, DispatchOcclude}, level);
 }
 
 }  // namespace cc

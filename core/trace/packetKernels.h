@@ -1,0 +1,25 @@
+#pragma once
+
+#include <memory>
+
+#include "core/trace/objectRays.h"
+#include "core/trace/tracer.h"
+
+namespace cc {
+
+/// A way to trace packets: what differs between the tracers that take 64 rays at a time. Both get
+/// the rays of a packet in world space twice: as they came, and made ready, where what they hit
+/// shortens them.
+struct PacketKernels {
+    /// Finds the nearest hits. Hits are cleared already.
+    void (*intersect)(const InstanceBvh& instances, int level, ObjectRays* worldRays,
+                      const RayPacket& world, HitPacket* hits, TraceStatistics* statistics);
+    /// Ends every ray that hits anything: its tMax falls below its tMin.
+    void (*occlude)(const InstanceBvh& instances, int level, ObjectRays* worldRays,
+                    const RayPacket& world, TraceStatistics* statistics);
+};
+
+/// @param level  each base face is split into 2^level x 2^level quads, 0..8
+std::unique_ptr<Tracer> MakePacketTracer(const PacketKernels& kernels, int level);
+
+}  // namespace cc
