@@ -20,7 +20,7 @@ class Scene:
 
 
 #: Name and generator of the scenes that are too large to keep.
-GENERATED = {"herd": "herd.py"}
+GENERATED = {"creature": "dragon.py", "forest": "forest.py", "city": "city.py"}
 
 
 def scenes(chosen: str | None) -> list[Scene]:

@@ -1,7 +1,6 @@
 """The lantern snail and what lives around it, as control cages.
 
-Everything here is a function from a few numbers to a cage, so that one snail can be the hero and
-a hundred different ones can be a herd.
+Everything here is a function from a few numbers to a cage.
 """
 
 from __future__ import annotations

@@ -12,6 +12,7 @@ import numpy as np
 from mesh_kit import ControlCage
 from numpy.typing import ArrayLike, NDArray
 from pxr import Gf, Tf, Usd, UsdGeom, UsdLux, Vt
+from quad_mesh import QuadMesh
 
 
 @dataclass
@@ -95,6 +96,42 @@ def add_cage(
     return mesh
 
 
+def add_quad_mesh(
+    stage: Usd.Stage,
+    path: str,
+    mesh: QuadMesh,
+    palette: ArrayLike,
+    double_sided: bool = False,
+) -> UsdGeom.Mesh:
+    """Writes an array cage as a Catmull-Clark mesh, each face in its colour of the palette."""
+    prim = UsdGeom.Mesh.Define(stage, path)
+    points = rounded(mesh.points, 4)
+    prim.CreateExtentAttr(Vt.Vec3fArray.FromNumpy(np.stack([points.min(0), points.max(0)])))
+    prim.CreatePointsAttr(Vt.Vec3fArray.FromNumpy(points))
+    counts = np.full(len(mesh.faces), 4, np.int32)
+    prim.CreateFaceVertexCountsAttr(Vt.IntArray.FromNumpy(counts))
+    prim.CreateFaceVertexIndicesAttr(_int_array(mesh.faces))
+    prim.CreateSubdivisionSchemeAttr(UsdGeom.Tokens.catmullClark)
+    prim.CreateInterpolateBoundaryAttr(UsdGeom.Tokens.edgeAndCorner)
+    prim.CreateDoubleSidedAttr(double_sided)
+    if mesh.holes.any():
+        prim.CreateHoleIndicesAttr(_int_array(np.flatnonzero(mesh.holes)))
+    if len(mesh.crease_edges):
+        prim.CreateCreaseIndicesAttr(_int_array(mesh.crease_edges))
+        prim.CreateCreaseLengthsAttr(_int_array(np.full(len(mesh.crease_edges), 2)))
+        sharpness = mesh.crease_sharpness.astype(np.float32)
+        prim.CreateCreaseSharpnessesAttr(Vt.FloatArray.FromNumpy(sharpness))
+    used, indices = np.unique(mesh.colours, return_inverse=True)
+    primvar = prim.CreateDisplayColorPrimvar("uniform")
+    primvar.Set(Vt.Vec3fArray.FromNumpy(rounded(np.asarray(palette)[used])))
+    primvar.SetIndices(_int_array(indices))
+    return prim
+
+
+def _int_array(values: ArrayLike) -> Vt.IntArray:
+    return Vt.IntArray.FromNumpy(np.ascontiguousarray(values, dtype=np.int32).ravel())
+
+
 def _set_colour(mesh: UsdGeom.Mesh, colour: Colour) -> None:
     primvar = mesh.CreateDisplayColorPrimvar(colour.interpolation)
     values = np.atleast_2d(rounded(colour.values))
@@ -115,13 +152,18 @@ def look_at(eye: ArrayLike, target: ArrayLike) -> Gf.Matrix4d:
 
 
 def add_camera(
-    stage: Usd.Stage, path: str, eye: ArrayLike, target: ArrayLike, focal_length: float
+    stage: Usd.Stage,
+    path: str,
+    eye: ArrayLike,
+    target: ArrayLike,
+    focal_length: float,
+    aspect: float = 16.0 / 9.0,
 ) -> UsdGeom.Camera:
-    """A 16:9 camera with a 36 mm wide aperture."""
+    """A camera with a 36 mm wide aperture."""
     camera = UsdGeom.Camera.Define(stage, path)
     camera.AddTransformOp().Set(look_at(eye, target))
     camera.CreateHorizontalApertureAttr(36.0)
-    camera.CreateVerticalApertureAttr(20.25)
+    camera.CreateVerticalApertureAttr(36.0 / aspect)
     camera.CreateFocalLengthAttr(focal_length)
     camera.CreateClippingRangeAttr(Gf.Vec2f(0.1, 1000.0))
     camera.CreateFocusDistanceAttr(round(float(np.linalg.norm(np.subtract(eye, target))), 3))
