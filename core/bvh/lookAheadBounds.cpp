@@ -4,8 +4,10 @@
 #include <vector>
 
 #include "core/subdiv/bezierPatch.h"
+#include "core/subdiv/bezierTriangle.h"
 #include "core/subdiv/extraordinaryPatch.h"
 #include "core/subdiv/irregularPatch.h"
+#include "core/subdiv/irregularTriangle.h"
 
 namespace cc {
 namespace {
@@ -57,6 +59,23 @@ Box3f IrregularBounds(const IrregularPatch& patch, int steps) {
     return box;
 }
 
+Box3f IrregularBounds(const IrregularTriangle& patch, int steps) {
+    Vec3f spline[12];
+    if (patch.ToBoxSpline(spline)) {
+        return BezierTriangle::FromBoxSpline(spline).SplitBounds();
+    }
+    if (steps == 0) {
+        return patch.HullBox();
+    }
+    IrregularTriangle parts[4];
+    patch.Subdivide(parts);
+    Box3f box;
+    for (const IrregularTriangle& part : parts) {
+        box.Extend(IrregularBounds(part, steps - 1));
+    }
+    return box;
+}
+
 Box3f SurfaceBounds(const PatchTable& patches, uint32_t patch, const Vec3f* points) {
     switch (patches.At(patch).kind) {
         case PatchKind::Regular:
@@ -64,6 +83,11 @@ Box3f SurfaceBounds(const PatchTable& patches, uint32_t patch, const Vec3f* poin
         case PatchKind::Extraordinary: return ExtraordinaryBounds(patches, patch, points);
         case PatchKind::Irregular:
             return IrregularBounds(GatherIrregular(patches, patch, points), kIrregularSteps);
+        case PatchKind::RegularTriangle:
+            return GatherBezierTriangle(patches, patch, points).SplitBounds();
+        case PatchKind::IrregularTriangle:
+            return IrregularBounds(GatherIrregularTriangle(patches, patch, points),
+                                   kIrregularSteps);
     }
     return {};
 }

@@ -74,6 +74,9 @@ Vec3f ColorField::_EvaluateBilinear(const FaceVertices& faces, const FaceParamet
                                   ? faceVertex
                                   : faces.Point(faceVertex));
     };
+    if (at.isTriangle) {
+        return corner(0) * (1 - at.u - at.v) + (corner(1) * at.u + corner(2) * at.v);
+    }
     Vec3f quad[4];
     if (count == 4) {
         for (int i = 0; i < 4; ++i) {

@@ -10,6 +10,21 @@ namespace {
 
 std::string Text(const char* what, size_t count) { return what + std::to_string(count); }
 
+/// Loop subdivision is defined on triangles. OpenSubdiv refuses other faces too; faces of fewer
+/// vertices are left out under every scheme.
+std::string CheckTriangles(const ControlMesh& mesh) {
+    const auto isLarger = [](int count) { return count > 3; };
+    const auto& counts = mesh.faceVertexCounts;
+    const auto larger = std::count_if(counts.begin(), counts.end(), isLarger);
+    if (larger == 0) {
+        return {};
+    }
+    const auto first = std::find_if(counts.begin(), counts.end(), isLarger) - counts.begin();
+    return std::to_string(larger) + " of " + std::to_string(counts.size()) +
+           " faces are no triangles, which the loop scheme asks for (the first is face " +
+           std::to_string(first) + ")";
+}
+
 std::string CheckFaces(const ControlMesh& mesh, size_t pointCount) {
     int64_t total = 0;
     for (size_t face = 0; face < mesh.faceVertexCounts.size(); ++face) {
@@ -29,7 +44,7 @@ std::string CheckFaces(const ControlMesh& mesh, size_t pointCount) {
                    ", outside the mesh's " + std::to_string(pointCount) + " points";
         }
     }
-    return {};
+    return mesh.scheme == Scheme::Loop ? CheckTriangles(mesh) : std::string();
 }
 
 void WarnOfDegenerateFaces(const ControlMesh& mesh, ControlMeshReport* report) {

@@ -8,7 +8,7 @@
 namespace cc {
 
 /// Rule by which a control mesh becomes a surface (UsdGeomMesh subdivisionScheme).
-enum class Scheme { CatmullClark, Bilinear, None };
+enum class Scheme { CatmullClark, Bilinear, None, Loop };
 
 /// What happens at the open boundary (UsdGeomMesh interpolateBoundary).
 enum class BoundaryRule { None, EdgeOnly, EdgeAndCorner };
@@ -58,7 +58,8 @@ struct ControlMeshReport {
 /// tags that name no vertex, edge or face of the mesh are dropped, sharpness is clamped to
 /// [0, 10] and repeated holes are merged. Faces that KeptCorners gives nothing for are left out.
 /// Creases are rewritten as runs of two vertices with one sharpness each.
-/// Counts that do not add up and indices out of range cannot be mended.
+/// Counts that do not add up and indices out of range cannot be mended, nor can faces of more than
+/// three vertices under the Loop scheme.
 ControlMeshReport ValidateControlMesh(ControlMesh* mesh, size_t pointCount);
 
 /// The corners of a face that are left when neighbouring corners that share a vertex are merged:

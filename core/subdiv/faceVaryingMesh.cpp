@@ -84,6 +84,7 @@ class FaceVaryingMeshBuilder {
   private:
     void _SetRules() {
         ControlMesh& mesh = _result.mesh;
+        mesh.scheme = _cage.scheme;
         mesh.creaseRule = _cage.creaseRule;
         mesh.triangleRule = _cage.triangleRule;
         // What is a corner is so by its sharpness, and faces that the cage's rule hides are holes.
@@ -328,7 +329,8 @@ class FaceVaryingMeshBuilder {
 
 bool IsFaceVaryingBilinear(const ControlMesh& mesh, bool isIndexed) {
     // Where no two face-vertices share a value, each face is a mesh of one face, all sharp corners.
-    return mesh.scheme != Scheme::CatmullClark || mesh.faceVaryingRule == FaceVaryingRule::All ||
+    const bool isSmooth = mesh.scheme == Scheme::CatmullClark || mesh.scheme == Scheme::Loop;
+    return !isSmooth || mesh.faceVaryingRule == FaceVaryingRule::All ||
            (!isIndexed && mesh.faceVaryingRule != FaceVaryingRule::None);
 }
 

@@ -20,7 +20,8 @@ struct FaceVaryingMesh {
     std::string warning;
 };
 
-/// True if a face-varying primvar is bilinear over each authored face, so that it needs no mesh.
+/// True if a face-varying primvar is bilinear over each authored face, or linear over a triangle of
+/// the Loop scheme, so that it needs no mesh.
 /// @param isIndexed  false if no two face-vertices share a value
 bool IsFaceVaryingBilinear(const ControlMesh& mesh, bool isIndexed);
 

@@ -9,6 +9,7 @@ VertexRing GatherRing(const PatchTable& patches, uint32_t index, const Vec3f* va
     const PatchRing& stored = patches.Ring(index);
     const uint32_t* points = patches.RingIndices(stored);
     VertexRing ring;
+    static_cast<RingTags&>(ring) = patches.TagsOf(stored);
     ring.center = values[*points++];
     for (uint32_t face = 0; face < stored.faceCount; ++face) {
         ring.edges.push_back(values[*points++]);
@@ -17,13 +18,6 @@ VertexRing GatherRing(const PatchTable& patches, uint32_t index, const Vec3f* va
     if (!stored.isClosed) {
         ring.edges.push_back(values[*points]);
     }
-    const float* sharpness = patches.RingSharpness(stored);
-    ring.edgeSharpness.assign(sharpness, sharpness + ring.edges.size());
-    sharpness += ring.edges.size();
-    ring.outsideSharpness.assign(sharpness, sharpness + stored.outsideCount);
-    ring.vertexSharpness = stored.vertexSharpness;
-    ring.isClosed = stored.isClosed;
-    ring.decay = patches.Decay();
     return ring;
 }
 

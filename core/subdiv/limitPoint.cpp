@@ -5,6 +5,7 @@
 #include "core/subdiv/bezierPatch.h"
 #include "core/subdiv/extraordinaryPatch.h"
 #include "core/subdiv/irregularPatch.h"
+#include "core/subdiv/triangleLimit.h"
 
 namespace cc {
 namespace {
@@ -215,6 +216,10 @@ LimitPoint EvaluateLimit(const PatchTable& patches, uint32_t patch, const Vec3f*
             break;
         case PatchKind::Irregular:
             point = EvaluateIrregular(GatherIrregular(patches, patch, values), u, v);
+            break;
+        case PatchKind::RegularTriangle:
+        case PatchKind::IrregularTriangle:
+            point = EvaluateTriangle(patches, patch, values, u, v);
             break;
     }
     if (patches.IsLeftHanded()) {

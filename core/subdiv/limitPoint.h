@@ -18,7 +18,7 @@ struct LimitPoint {
     Vec3f normal;
 };
 
-/// Evaluates a patch at u, v in 0..1.
+/// Evaluates a patch at u, v in 0..1, where u + v <= 1 on a triangle (PatchTable::IsTriangle).
 /// @param values  one value a patch point: positions, or any vertex primvar refined alike
 LimitPoint EvaluateLimit(const PatchTable& patches, uint32_t patch, const Vec3f* values, float u,
                          float v);

@@ -42,14 +42,14 @@ VertexRule RuleOf(const TopologyLevel& level, Index vertex) {
 
 /// One step of a walk around a vertex.
 struct FanStep {
-    Index face;      ///< the quad that was entered
-    Index diagonal;  ///< its vertex opposite the centre
-    Index farEdge;   ///< its other edge at the centre
-    Index farEnd;    ///< that edge's other vertex
+    Index face;     ///< that was entered
+    int corner;     ///< of the face, that the walk goes around
+    Index farEdge;  ///< its other edge at the centre
+    Index farEnd;   ///< that edge's other vertex
 };
 
 /// Steps across an edge at a vertex into the next face. Returns false if there is no single next
-/// face or if it is not a quad.
+/// face or if it has another number of sides.
 bool StepAcross(const TopologyLevel& level, Index vertex, Index face, Index edge, FanStep* step) {
     const ConstIndexArray faces = level.GetEdgeFaces(edge);
     if (faces.size() != 2) {
@@ -57,7 +57,8 @@ bool StepAcross(const TopologyLevel& level, Index vertex, Index face, Index edge
     }
     step->face = faces[0] == face ? faces[1] : faces[0];
     const ConstIndexArray vertices = level.GetFaceVertices(step->face);
-    if (vertices.size() != 4 || step->face == face) {
+    const int sides = level.GetFaceVertices(face).size();
+    if (vertices.size() != sides || step->face == face) {
         return false;
     }
     const int corner = vertices.FindIndex(vertex);
@@ -65,14 +66,14 @@ bool StepAcross(const TopologyLevel& level, Index vertex, Index face, Index edge
         return false;
     }
     const ConstIndexArray edges = level.GetFaceEdges(step->face);
-    const Index next = edges[corner], previous = edges[(corner + 3) & 3];
+    const Index next = edges[corner], previous = edges[(corner + sides - 1) % sides];
     if (next != edge && previous != edge) {
         return false;
     }
     const bool farIsNext = previous == edge;
+    step->corner = corner;
     step->farEdge = farIsNext ? next : previous;
-    step->farEnd = vertices[(corner + (farIsNext ? 1 : 3)) & 3];
-    step->diagonal = vertices[(corner + 2) & 3];
+    step->farEnd = vertices[(corner + (farIsNext ? 1 : sides - 1)) % sides];
     return true;
 }
 
@@ -146,7 +147,7 @@ class OneRingGatherer {
             if (!StepAcross(_level, vertex, face, edge, &step)) {
                 return false;
             }
-            fan.push_back(step.diagonal);
+            fan.push_back(_level.GetFaceVertices(step.face)[(step.corner + 2) & 3]);
             fan.push_back(step.farEnd);
             face = step.face;
             edge = step.farEdge;
@@ -211,8 +212,8 @@ class CornerRingGatherer {
             return false;
         }
         _ring = CornerRing();
-        _ring.isClosed = !_IsBarrier(at.edge);
-        _ring.vertexSharpness = _level.GetVertexSharpness(_vertex);
+        _ring.tags.isClosed = !_IsBarrier(at.edge);
+        _ring.tags.vertexSharpness = _level.GetVertexSharpness(_vertex);
         _ring.vertices.push_back(_vertex);
         if (!_Collect(at)) {
             return false;
@@ -220,7 +221,7 @@ class CornerRingGatherer {
         for (Index edge : _level.GetVertexEdges(_vertex)) {
             const float sharpness = SharpnessOf(_level, edge);
             if (sharpness > 0 && std::find(_edges.begin(), _edges.end(), edge) == _edges.end()) {
-                _ring.outsideSharpness.push_back(sharpness);
+                _ring.tags.outsideSharpness.push_back(sharpness);
             }
         }
         return true;
@@ -233,7 +234,10 @@ class CornerRingGatherer {
     };
 
     /// A single sharp edge is a dart's, and the surface closes around it.
-    bool _IsBarrier(Index edge) const { return _sharpEdgeCount > 1 && IsSharp(_level, edge); }
+    bool _IsBarrier(Index edge) const {
+        return IsSharp(_level, edge) &&
+               (_sharpEdgeCount > 1 || _level.GetEdgeFaces(edge).size() != 2);
+    }
 
     /// Goes clockwise to the first barrier, or once around. Returns false if there is no fan.
     bool _GoToStart(Place* at) const {
@@ -251,16 +255,18 @@ class CornerRingGatherer {
         return _IsBarrier(at->edge);
     }
 
-    /// Goes counterclockwise and notes what is passed. Returns false if there is no fan of quads.
+    /// Goes counterclockwise and notes what is passed. Returns false if there is no fan of such
+    /// faces.
     bool _Collect(Place at) {
         const Index firstFace = at.face;
+        const int sides = _level.GetFaceVertices(firstFace).size();
         for (int i = 0; i < _faceCount; ++i) {
-            if (!_AddFace(&at)) {
+            if (!_AddFace(sides, &at)) {
                 return false;
             }
             if (_IsBarrier(at.edge)) {
                 _AddEdge(at.edge);
-                return !_ring.isClosed;
+                return !_ring.tags.isClosed;
             }
             FanStep step;
             if (!StepAcross(_level, _vertex, at.face, at.edge, &step)) {
@@ -268,24 +274,26 @@ class CornerRingGatherer {
             }
             at.face = step.face;
             if (at.face == firstFace) {
-                return _ring.isClosed && at.edge == _edges.front();
+                return _ring.tags.isClosed && at.edge == _edges.front();
             }
         }
         return false;
     }
 
     /// Notes a face and moves on to its edge further counterclockwise.
-    bool _AddFace(Place* at) {
+    bool _AddFace(int sides, Place* at) {
         const ConstIndexArray vertices = _level.GetFaceVertices(at->face);
         const int corner = vertices.FindIndex(_vertex);
-        if (vertices.size() != 4 || corner < 0) {
+        if (sides > 4 || vertices.size() != sides || corner < 0) {
             return false;
         }
         _AddEdge(at->edge);
-        _ring.vertices.push_back(vertices[(corner + 2) & 3]);
+        if (sides == 4) {
+            _ring.vertices.push_back(vertices[(corner + 2) & 3]);
+        }
         _ring.faces.push_back(at->face);
         const ConstIndexArray edges = _level.GetFaceEdges(at->face);
-        const Index next = edges[corner], previous = edges[(corner + 3) & 3];
+        const Index next = edges[corner], previous = edges[(corner + sides - 1) % sides];
         at->edge = at->edge == next ? previous : next;
         return true;
     }
@@ -294,7 +302,7 @@ class CornerRingGatherer {
         const ConstIndexArray ends = _level.GetEdgeVertices(edge);
         _edges.push_back(edge);
         _ring.vertices.push_back(ends[0] == _vertex ? ends[1] : ends[0]);
-        _ring.edgeSharpness.push_back(SharpnessOf(_level, edge));
+        _ring.tags.edgeSharpness.push_back(SharpnessOf(_level, edge));
     }
 
     const TopologyLevel& _level;

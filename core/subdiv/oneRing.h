@@ -5,6 +5,7 @@
 #include <opensubdiv/far/topologyLevel.h>
 
 #include "core/subdiv/gridPosition.h"
+#include "core/subdiv/ringTags.h"
 
 namespace cc {
 
@@ -41,18 +42,16 @@ struct OneRing {
 /// Gathers the 1-ring of a face. Works on any topology that OpenSubdiv accepts.
 void GatherOneRing(const OpenSubdiv::Far::TopologyLevel& level, int face, OneRing* ring);
 
-/// The part of a vertex's 1-ring that shapes one side of it (VertexRing), as vertices of the level.
+/// A ring (RingTags) as vertices of the level. All its faces have as many sides, three or four.
 struct CornerRing {
-    std::vector<int> vertices;  ///< the vertex, then edge neighbours and face diagonals by turns
-    std::vector<int> faces;     ///< in the order of the diagonals
-    std::vector<float> edgeSharpness;
-    std::vector<float> outsideSharpness;
-    float vertexSharpness = 0;
-    bool isClosed = false;
+    /// The vertex, then its edge neighbours; between those, among quads, the face diagonals.
+    std::vector<int> vertices;
+    std::vector<int> faces;  ///< in the order of the walk around the vertex
+    RingTags tags;
 };
 
-/// Gathers the side of a vertex that a face is on. Returns false if a face there is not a quad, or
-/// if the faces do not form a fan.
+/// Gathers the side of a vertex that a face is on. Returns false if a face there has another number
+/// of sides than this one, or if the faces do not form a fan.
 bool GatherCornerRing(const OpenSubdiv::Far::TopologyLevel& level, int vertex, int face,
                       CornerRing* ring);
 

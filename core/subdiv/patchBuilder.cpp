@@ -5,8 +5,10 @@
 #include <memory>
 #include <utility>
 
+#include "core/subdiv/loopBuilder.h"
 #include "core/subdiv/oneRing.h"
 #include "core/subdiv/refinementLevel.h"
+#include "core/subdiv/ringTable.h"
 
 namespace cc {
 namespace {
@@ -23,6 +25,7 @@ class CatmullClarkBuilder {
     /// Emits the patches of a level; returns the faces that need another step.
     std::vector<int> AddLevel(RefinementLevel* level) {
         std::vector<int> unfinished;
+        RingTable rings(level, _table);
         const OpenSubdiv::Far::TopologyLevel topology = level->Topology();
         for (int face = 0; face < level->FaceCount(); ++face) {
             if (!level->Origin(face).isVisible) {
@@ -36,7 +39,7 @@ class CatmullClarkBuilder {
                 } else {
                     _AddExtraordinary(level, level->Origin(face));
                 }
-            } else if (!_AddIrregular(level, face)) {
+            } else if (!_AddIrregular(level, face, &rings)) {
                 if (level->Origin(face).depth < kMaxDepth) {
                     unfinished.push_back(face);
                 } else {
@@ -44,7 +47,6 @@ class CatmullClarkBuilder {
                 }
             }
         }
-        _ringPlaces.clear();
         return unfinished;
     }
 
@@ -125,39 +127,8 @@ class CatmullClarkBuilder {
         _table->AddPatch(patch, points.data(), static_cast<int>(points.size()));
     }
 
-    /// A ring of the table, and which of its faces a face is.
-    struct RingPlace {
-        uint32_t ring, face;
-    };
-
-    /// Adds the ring of a vertex for all faces on the same side of it. Returns false if there is
-    /// none.
-    bool _AddRing(RefinementLevel* level, int vertex, int face) {
-        CornerRing ring;
-        if (!GatherCornerRing(level->Topology(), vertex, face, &ring)) {
-            return false;
-        }
-        std::vector<uint32_t> points;
-        for (int v : ring.vertices) {
-            points.push_back(level->PatchPoint(v, _table));
-        }
-        PatchRing stored{};
-        stored.faceCount = static_cast<uint32_t>(ring.faces.size());
-        stored.outsideCount = static_cast<uint16_t>(ring.outsideSharpness.size());
-        stored.isClosed = ring.isClosed;
-        stored.vertexSharpness = ring.vertexSharpness;
-        std::vector<float> sharpnesses = ring.edgeSharpness;
-        sharpnesses.insert(sharpnesses.end(), ring.outsideSharpness.begin(),
-                           ring.outsideSharpness.end());
-        const uint32_t index = _table->AddRing(stored, points, sharpnesses);
-        for (uint32_t i = 0; i < stored.faceCount; ++i) {
-            _ringPlaces[{vertex, ring.faces[i]}] = {index, i};
-        }
-        return true;
-    }
-
     /// Adds a quad with the rings of its corners. Returns false if it has none.
-    bool _AddIrregular(RefinementLevel* level, int face) {
+    bool _AddIrregular(RefinementLevel* level, int face, RingTable* rings) {
         const auto vertices = level->Topology().GetFaceVertices(face);
         if (vertices.size() != 4) {
             return false;
@@ -165,13 +136,13 @@ class CatmullClarkBuilder {
         uint32_t corners[8];
         Patch patch = _MakePatch(level->Origin(face), PatchKind::Irregular);
         for (int corner = 0; corner < 4; ++corner) {
-            const std::pair<int, int> key{vertices[corner], face};
-            if (_ringPlaces.count(key) == 0 && !_AddRing(level, vertices[corner], face)) {
+            RingPlace place;
+            if (!rings->Find(vertices[corner], face, &place)) {
                 return false;
             }
-            corners[2 * corner] = _ringPlaces[key].ring;
-            corners[2 * corner + 1] = _ringPlaces[key].face;
-            const uint32_t valence = _table->Ring(corners[2 * corner]).faceCount;
+            corners[2 * corner] = place.ring;
+            corners[2 * corner + 1] = place.face;
+            const uint32_t valence = _table->Ring(place.ring).faceCount;
             patch.valence = static_cast<uint16_t>(std::max<uint32_t>(patch.valence, valence));
         }
         _table->AddPatch(patch, corners, 8);
@@ -191,8 +162,6 @@ class CatmullClarkBuilder {
     OneRing _ring;
     uint32_t _grid[4][4];
     std::map<std::pair<uint32_t, uint32_t>, uint32_t> _extrapolated;
-    /// By vertex and face of the level.
-    std::map<std::pair<int, int>, RingPlace> _ringPlaces;
 };
 
 void AddCatmullClark(const ControlMesh& mesh, size_t pointCount, PatchTable* table,
@@ -261,6 +230,8 @@ PatchTable BuildPatchTable(const ControlMesh& mesh, size_t pointCount, std::stri
     PatchTable table(pointCount, mesh.leftHanded, decay);
     if (mesh.scheme == Scheme::CatmullClark) {
         AddCatmullClark(mesh, pointCount, &table, error);
+    } else if (mesh.scheme == Scheme::Loop) {
+        AddLoop(mesh, pointCount, &table, error);
     } else {
         AddBilinear(mesh, &table);
     }

@@ -11,7 +11,8 @@ namespace cc {
 ///
 /// A quad among quads becomes one patch of the cage itself: a B-spline where its 1-ring is regular,
 /// a patch with one extraordinary vertex, or an irregular patch that keeps valences, creases and
-/// corners as they are. Other faces are refined first, with their neighbours, by OpenSubdiv.
+/// corners as they are. Other faces are refined first, with their neighbours, by OpenSubdiv. Under
+/// Loop's scheme every triangle becomes one patch of the cage, a box spline or irregular.
 /// Holes shape their neighbours and give no patch.
 ///
 /// @param mesh   must have passed ValidateControlMesh

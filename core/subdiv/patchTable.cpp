@@ -10,9 +10,23 @@ int PatchTable::IndexCount(uint32_t patch) const {
         case PatchKind::Regular: return 16;
         case PatchKind::Bilinear: return 4;
         case PatchKind::Irregular: return 8;
+        case PatchKind::RegularTriangle: return 12;
+        case PatchKind::IrregularTriangle: return 6;
         case PatchKind::Extraordinary: break;
     }
     return 2 * _patches[patch].valence + 8;
+}
+
+RingTags PatchTable::TagsOf(const PatchRing& ring) const {
+    const float* sharpness = &_sharpnesses[ring.firstSharpness];
+    const float* const outside = sharpness + ring.faceCount + (ring.isClosed ? 0 : 1);
+    RingTags tags;
+    tags.edgeSharpness.assign(sharpness, outside);
+    tags.outsideSharpness.assign(outside, outside + ring.outsideCount);
+    tags.vertexSharpness = ring.vertexSharpness;
+    tags.isClosed = ring.isClosed;
+    tags.decay = _decay;
+    return tags;
 }
 
 std::vector<Vec3f> PatchTable::PatchPoints(const std::vector<Vec3f>& cageValues) const {
@@ -38,6 +52,9 @@ std::vector<Vec3f> PatchTable::PatchPoints(const std::vector<Vec3f>& cageValues)
 
 FaceParameter PatchTable::ToFace(uint32_t patch, float u, float v) const {
     const Patch& p = _patches[patch];
+    if (IsTriangle(patch)) {
+        return {p.face, 0, u, v, true};
+    }
     float cellU = u, cellV = v;
     switch (p.rotation) {
         case 1: cellU = 1 - v, cellV = u; break;

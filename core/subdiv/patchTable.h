@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/math/vec.h"
-#include "core/subdiv/vertexRing.h"
+#include "core/subdiv/ringTags.h"
 
 namespace cc {
 
@@ -22,24 +22,30 @@ enum class PatchKind : uint8_t {
     /// Four rings, one a corner, each with the quad's place in it: creases, corners, boundaries and
     /// valences as they come (IrregularPatch).
     Irregular,
+    /// 12 points: a quartic box spline, the 1-ring of a regular triangle of the Loop scheme, in the
+    /// order of BezierTriangle::FromBoxSpline.
+    RegularTriangle,
+    /// Three rings, one a corner, each with the triangle's place in it (IrregularTriangle).
+    IrregularTriangle,
 };
 
-/// One quad of the surface with its 1-ring.
+/// One quad of the surface with its 1-ring, or one triangle under the Loop scheme.
 struct Patch {
     uint32_t firstIndex;    ///< into PatchTable's index array
     uint32_t face;          ///< the authored face
     uint32_t corner;        ///< of an n-gon: which of its n sub-quads; else 0
     uint16_t cellU, cellV;  ///< which of the 2^cellDepth x 2^cellDepth cells of the (sub-)quad
-    uint16_t valence;       ///< largest at its corners: 4 if it is regular
+    uint16_t valence;       ///< largest at its corners: 4 if it is regular, 6 as a triangle
     uint8_t depth;          ///< refinement steps between the cage and this quad
     PatchKind kind : 4;
     uint8_t rotation : 2;   ///< corner of the cell that (0,0) of the patch lies at
     uint8_t isSubQuad : 1;  ///< the authored face is not a quad: cells count from its sub-quads
 };
 
-/// A vertex with the faces and tags that shape one side of it (VertexRing), shared by the irregular
-/// patches around the vertex. Its points are the vertex, then edge neighbours and face diagonals by
-/// turns; its sharpnesses are those of the edges, then outsideCount others.
+/// A vertex with the faces and tags that shape one side of it (RingTags), shared by the irregular
+/// patches around the vertex. Its points are the vertex, then its edge neighbours, and among quads
+/// the face diagonals between those; its sharpnesses are those of the edges, then outsideCount
+/// others.
 struct PatchRing {
     uint32_t firstIndex;
     uint32_t firstSharpness;
@@ -51,11 +57,13 @@ struct PatchRing {
 
 /// Where a point of a patch lies on its authored face. On a quad, (0,0) is the first corner and u
 /// runs towards the second. On an n-gon, (u, v) covers the sub-quad of one corner: (0,0) is that
-/// corner, u runs towards the middle of the edge to the next one, (1,1) is the face's centre.
+/// corner, u runs towards the middle of the edge to the next one, (1,1) is the face's centre. On a
+/// triangle of the Loop scheme, (0,0) is the first corner, (1,0) the second and (0,1) the third.
 struct FaceParameter {
     uint32_t face;
     uint32_t corner;
     float u, v;
+    bool isTriangle = false;
 };
 
 /// A value made from others: the sum of weight times value.
@@ -72,10 +80,15 @@ class PatchTable {
     size_t Count() const { return _patches.size(); }
     const Patch& At(uint32_t patch) const { return _patches[patch]; }
     const uint32_t* Indices(uint32_t patch) const { return &_indices[_patches[patch].firstIndex]; }
-    /// Number of indices of a patch: of its points, or for an irregular one four pairs of a ring
-    /// and a face of it.
+    /// Number of indices of a patch: of its points, or for an irregular one pairs of a ring and a
+    /// face of it, one a corner.
     int IndexCount(uint32_t patch) const;
     uint32_t AuthoredFace(uint32_t patch) const { return _patches[patch].face; }
+    /// True if a patch is a triangle: its parameters have u + v <= 1, and its corners are at (0,0),
+    /// (1,0) and (0,1). Other patches are quads over the unit square.
+    bool IsTriangle(uint32_t patch) const {
+        return _patches[patch].kind >= PatchKind::RegularTriangle;
+    }
     /// Refinement steps of the patch that took most of them.
     int MaxDepth() const { return _maxDepth; }
     /// True if the cage's faces run clockwise: normals are flipped.
@@ -83,10 +96,7 @@ class PatchTable {
 
     const PatchRing& Ring(uint32_t ring) const { return _rings[ring]; }
     const uint32_t* RingIndices(const PatchRing& ring) const { return &_indices[ring.firstIndex]; }
-    const float* RingSharpness(const PatchRing& ring) const {
-        return &_sharpnesses[ring.firstSharpness];
-    }
-    SharpnessDecay Decay() const { return _decay; }
+    RingTags TagsOf(const PatchRing& ring) const;
 
     size_t CagePointCount() const { return _cagePointCount; }
     size_t PointCount() const { return _cagePointCount + _stencilEnds.size(); }

@@ -50,7 +50,8 @@ struct Description {
         cornerSharpness.push_back(sharpness);
     }
 
-    std::unique_ptr<Far::TopologyRefiner> CreateRefiner(const Sdc::Options& options) const {
+    std::unique_ptr<Far::TopologyRefiner> CreateRefiner(Sdc::SchemeType scheme,
+                                                        const Sdc::Options& options) const {
         Far::TopologyDescriptor d;
         d.numVertices = vertexCount;
         d.numFaces = static_cast<int>(counts.size());
@@ -64,7 +65,7 @@ struct Description {
         d.cornerWeights = cornerSharpness.data();
         using Factory = Far::TopologyRefinerFactory<Far::TopologyDescriptor>;
         return std::unique_ptr<Far::TopologyRefiner>(
-            Factory::Create(d, Factory::Options(Sdc::SCHEME_CATMARK, options)));
+            Factory::Create(d, Factory::Options(scheme, options)));
     }
 };
 
@@ -149,7 +150,7 @@ Part ExtractPart(const Far::TopologyLevel& level, const std::vector<int>& faces,
     }
     // Corners of the real boundary carry their sharpness already; those of the cut need none.
     options.SetVtxBoundaryInterpolation(Sdc::Options::VTX_BOUNDARY_EDGE_ONLY);
-    part.refiner = description.CreateRefiner(options);
+    part.refiner = description.CreateRefiner(Sdc::SCHEME_CATMARK, options);
     return part;
 }
 
@@ -226,7 +227,8 @@ RefinementLevel::RefinementLevel(const ControlMesh& mesh, size_t pointCount, std
         description.AddCorner(mesh.cornerIndices[i], mesh.cornerSharpnesses[i]);
     }
     currentError = error;
-    _refiner = description.CreateRefiner(OptionsOf(mesh));
+    _refiner = description.CreateRefiner(
+        mesh.scheme == Scheme::Loop ? Sdc::SCHEME_LOOP : Sdc::SCHEME_CATMARK, OptionsOf(mesh));
     currentError = nullptr;
     if (!_refiner) {
         return;
@@ -294,7 +296,7 @@ RefinementLevel::RefinementLevel(RefinementLevel* parent, const std::vector<int>
             description.AddCorner(vertex, fine.GetVertexSharpness(vertex));
         }
     }
-    _refiner = description.CreateRefiner(part.refiner->GetSchemeOptions());
+    _refiner = description.CreateRefiner(Sdc::SCHEME_CATMARK, part.refiner->GetSchemeOptions());
 
     std::vector<MaskRow> identity(part.vertices.size());
     for (size_t i = 0; i < identity.size(); ++i) {

@@ -28,11 +28,11 @@ struct FaceOrigin {
 /// level holds the faces that still need refinement and their neighbours, one step finer.
 class RefinementLevel {
   public:
-    /// The cage, without collapsed edges and faces that have no inside (KeptCorners). On failure
-    /// IsValid is false and error says why.
+    /// The cage, without collapsed edges and faces that have no inside (KeptCorners), under its own
+    /// scheme if that is Loop, else Catmull-Clark. On failure IsValid is false and error says why.
     RefinementLevel(const ControlMesh& mesh, size_t pointCount, std::string* error);
 
-    /// One step: the children of the faces listed, with all that shapes them.
+    /// One Catmull-Clark step: the children of the faces listed, with all that shapes them.
     RefinementLevel(RefinementLevel* parent, const std::vector<int>& faces);
 
     bool IsValid() const { return _refiner != nullptr; }

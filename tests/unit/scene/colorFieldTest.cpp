@@ -132,6 +132,26 @@ TEST(ColorField, FaceVaryingGoesByTheFacesCorners) {
     });
 }
 
+TEST(ColorField, IsLinearOnTrianglesOfTheLoopScheme) {
+    const Cage cage = LoopIcosahedron();
+    std::vector<Vec3f> corners;
+    for (int vertex : cage.mesh.faceVertexIndices) {
+        corners.push_back(cage.points[vertex]);
+    }
+    const Colored varying(cage, Color(Interpolation::Varying, cage.points));
+    const Colored faceVarying(cage, Color(Interpolation::FaceVarying, corners));
+    const PatchTable& patches = varying.surface.Patches();
+    ASSERT_EQ(patches.Count(), 20u);
+    for (uint32_t patch = 0; patch < patches.Count(); ++patch) {
+        const Vec3f* c = &corners[3 * patches.AuthoredFace(patch)];
+        for (const Vec2f& at : {Vec2f{0, 0}, Vec2f{1, 0}, Vec2f{0, 1}, Vec2f{0.3f, 0.5f}}) {
+            const Vec3f expected = c[0] * (1 - at.x - at.y) + c[1] * at.x + c[2] * at.y;
+            ExpectNear(varying.At(patch, at.x, at.y), expected);
+            ExpectNear(faceVarying.At(patch, at.x, at.y), expected);
+        }
+    }
+}
+
 TEST(ColorField, LeftHandedMeshesKeepTheirCorners) {
     Cage cage = QuadAndTriangle();
     cage.mesh.leftHanded = true;

@@ -35,4 +35,7 @@ std::vector<Cage> CornerCages();         ///< sharp vertices
 std::vector<Cage> NonManifoldCages();    ///< edges of three faces, bow ties, duplicate faces
 std::vector<Cage> CombinedCages();       ///< several features at once, holes among them
 
+std::vector<Cage> LoopShapeCages();  ///< Loop's scheme: valences, fans, closed and open
+std::vector<Cage> LoopTagCages();    ///< Loop's scheme: every tag, and several at once
+
 }  // namespace cc::test

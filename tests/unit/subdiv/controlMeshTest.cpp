@@ -34,6 +34,32 @@ TEST(ControlMesh, RefusesIndicesOutOfRange) {
     }
 }
 
+TEST(ControlMesh, RefusesLoopFacesThatAreNoTriangles) {
+    Cage cage = TriangleSheet(2);
+    EXPECT_TRUE(ValidateControlMesh(&cage.mesh, cage.points.size()).IsValid());
+    for (const int count : {3, 4, 5}) {
+        cage.mesh.faceVertexCounts.push_back(count);
+        cage.mesh.faceVertexIndices.insert(cage.mesh.faceVertexIndices.end(), count, 0);
+    }
+    const ControlMeshReport report = ValidateControlMesh(&cage.mesh, cage.points.size());
+    EXPECT_NE(report.error.find("2 of 11 faces are no triangles"), std::string::npos)
+        << report.error;
+    EXPECT_NE(report.error.find("face 9"), std::string::npos) << report.error;
+}
+
+TEST(ControlMesh, LeavesOutLoopFacesOfFewerVertices) {
+    Cage cage = TriangleSheet(2);
+    cage.mesh.faceVertexCounts.insert(cage.mesh.faceVertexCounts.end(), {2, 3});
+    cage.mesh.faceVertexIndices.insert(cage.mesh.faceVertexIndices.end(), {0, 1, 4, 4, 5});
+    const ControlMeshReport report = ValidateControlMesh(&cage.mesh, cage.points.size());
+    EXPECT_TRUE(report.IsValid()) << report.error;
+    ASSERT_EQ(report.warnings.size(), 1u);
+    EXPECT_NE(report.warnings[0].find("2 faces"), std::string::npos) << report.warnings[0];
+    std::string error;
+    EXPECT_EQ(BuildPatchTable(cage.mesh, cage.points.size(), &error).Count(), 8u);
+    EXPECT_EQ(error, "");
+}
+
 TEST(ControlMesh, MendsHoles) {
     Cage cage = Cube();
     cage.mesh.holeIndices = {3, 1, 3, -1, 6};

@@ -74,8 +74,10 @@ class FaceVaryingOracle {
         d.numFVarChannels = 1;
         d.fvarChannels = &channel;
         using RefinerFactory = Far::TopologyRefinerFactory<Far::TopologyDescriptor>;
-        _refiner.reset(
-            RefinerFactory::Create(d, RefinerFactory::Options(Sdc::SCHEME_CATMARK, ToSdc(mesh))));
+        _refiner.reset(RefinerFactory::Create(
+            d, RefinerFactory::Options(
+                   mesh.scheme == Scheme::Loop ? Sdc::SCHEME_LOOP : Sdc::SCHEME_CATMARK,
+                   ToSdc(mesh))));
         Factory::Options precise;
         precise.SetApproxLevelSmooth(8).SetApproxLevelSharp(10);
         _factory = std::make_unique<Factory>(*_refiner, precise);
@@ -176,7 +178,9 @@ void ExpectAgreement(const Cage& cage, const PatchTable& patches, const Split& s
     FaceParameter worstAt{};
     for (uint32_t patch = 0; patch < patches.Count(); ++patch) {
         for (int i = 0; i < 4; ++i) {
-            const FaceParameter at = patches.ToFace(patch, unit(random), unit(random));
+            const float u = unit(random), v = unit(random);
+            const FaceParameter at =
+                patches.ToFace(patch, u, patches.IsTriangle(patch) ? (1 - u) * v : v);
             const float difference = Length(channel.Evaluate(at) - oracle.Evaluate(at));
             if (!(difference <= worst)) {
                 worst = difference;

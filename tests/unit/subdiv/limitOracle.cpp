@@ -86,8 +86,10 @@ LimitOracle::LimitOracle(ControlMesh mesh, const std::vector<Vec3f>& points, Pre
     d.cornerVertexIndices = mesh.cornerIndices.data();
     d.cornerWeights = mesh.cornerSharpnesses.data();
     using RefinerFactory = Far::TopologyRefinerFactory<Far::TopologyDescriptor>;
-    _refiner.reset(
-        RefinerFactory::Create(d, RefinerFactory::Options(Sdc::SCHEME_CATMARK, OptionsOf(mesh))));
+    _refiner.reset(RefinerFactory::Create(
+        d, RefinerFactory::Options(
+               mesh.scheme == Scheme::Loop ? Sdc::SCHEME_LOOP : Sdc::SCHEME_CATMARK,
+               OptionsOf(mesh))));
     if (_refiner) {
         // Features are followed much deeper than by default, as deep as Bfr bears (at 11 it
         // crashes): what we compare with must be exact.

@@ -94,6 +94,21 @@ class Comparison {
     double _diagonal = 1;
 };
 
+void SampleTriangle(uint32_t patch, std::mt19937* random, Comparison* comparison) {
+    std::uniform_real_distribution<float> unit(0.01f, 0.99f);
+    const auto at = [&](float u, float v) { comparison->Sample(patch, u, v); };
+    for (int i = 0; i < 4; ++i) {
+        const float u = unit(*random), along = unit(*random);
+        at(u, (1 - u) * along);
+        at(along, 0);
+        at(0, along);
+        at(along, 1 - along);
+    }
+    at(0, 0);
+    at(1, 0);
+    at(0, 1);
+}
+
 void SamplePatch(uint32_t patch, std::mt19937* random, Comparison* comparison) {
     std::uniform_real_distribution<float> unit(0.01f, 0.99f);
     const auto at = [&](float u, float v) { comparison->Sample(patch, u, v); };
@@ -126,7 +141,11 @@ SurfaceDifference CompareWithOracle(Cage cage) {
     std::mt19937 random(7);
     std::set<uint32_t> covered(cage.mesh.holeIndices.begin(), cage.mesh.holeIndices.end());
     for (uint32_t patch = 0; patch < patches.Count(); ++patch) {
-        SamplePatch(patch, &random, &comparison);
+        if (patches.IsTriangle(patch)) {
+            SampleTriangle(patch, &random, &comparison);
+        } else {
+            SamplePatch(patch, &random, &comparison);
+        }
         covered.insert(patches.AuthoredFace(patch));
     }
     for (int face = 0; face < cage.mesh.FaceCount(); ++face) {

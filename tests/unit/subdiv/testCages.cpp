@@ -134,8 +134,9 @@ std::string TestName(const testing::TestParamInfo<Cage>& info) {
 
 std::vector<Cage> Catalogue() {
     std::vector<Cage> cages;
-    for (const auto& theme : {ShapeCages(), BoundaryCages(), CreaseCages(), CreaseMeetingCages(),
-                              CornerCages(), NonManifoldCages(), CombinedCages()}) {
+    for (const auto& theme :
+         {ShapeCages(), BoundaryCages(), CreaseCages(), CreaseMeetingCages(), CornerCages(),
+          NonManifoldCages(), CombinedCages(), LoopShapeCages(), LoopTagCages()}) {
         cages.insert(cages.end(), theme.begin(), theme.end());
     }
     return cages;

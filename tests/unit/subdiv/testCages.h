@@ -28,6 +28,19 @@ Cage Fan(int valence);
 /// A drum whose lids are n-gons.
 Cage Drum(int sides);
 
+// Under the Loop scheme:
+
+/// A sheet of quads, each cut in two: regular inside.
+Cage TriangleSheet(int n);
+/// A torus of triangles: regular everywhere.
+Cage TriangleTorus(int around, int across);
+/// Triangles around one vertex of the given valence, then one more ring of them.
+Cage TriangleFan(int valence);
+/// Triangles around a vertex on the boundary.
+Cage OpenTriangleFan(int faceCount);
+Cage LoopOctahedron();
+Cage LoopIcosahedron();
+
 /// How GoogleTest shows a cage, and names a test of one.
 void PrintTo(const Cage& cage, std::ostream* out);
 std::string TestName(const testing::TestParamInfo<Cage>& info);

@@ -1,0 +1,45 @@
+#include "core/subdiv/ringTable.h"
+
+namespace cc {
+
+bool RingTable::Find(int vertex, int face, RingPlace* place) {
+    const auto found = _places.find({vertex, face});
+    if (found != _places.end()) {
+        *place = found->second;
+        return true;
+    }
+    CornerRing ring;
+    if (!GatherCornerRing(_level->Topology(), vertex, face, &ring)) {
+        return false;
+    }
+    *place = Add(ring, face);
+    return true;
+}
+
+RingPlace RingTable::Add(const CornerRing& ring, int face) {
+    const int vertex = ring.vertices.front();
+    const auto found = _places.find({vertex, face});
+    if (found != _places.end()) {
+        return found->second;
+    }
+    std::vector<uint32_t> points;
+    for (int v : ring.vertices) {
+        points.push_back(_level->PatchPoint(v, _table));
+    }
+    const RingTags& tags = ring.tags;
+    PatchRing stored{};
+    stored.faceCount = static_cast<uint32_t>(ring.faces.size());
+    stored.outsideCount = static_cast<uint16_t>(tags.outsideSharpness.size());
+    stored.isClosed = tags.isClosed;
+    stored.vertexSharpness = tags.vertexSharpness;
+    std::vector<float> sharpnesses(tags.edgeSharpness.begin(), tags.edgeSharpness.end());
+    sharpnesses.insert(sharpnesses.end(), tags.outsideSharpness.begin(),
+                       tags.outsideSharpness.end());
+    const uint32_t index = _table->AddRing(stored, points, sharpnesses);
+    for (uint32_t i = 0; i < stored.faceCount; ++i) {
+        _places[{vertex, ring.faces[i]}] = {index, i};
+    }
+    return _places[{vertex, face}];
+}
+
+}  // namespace cc

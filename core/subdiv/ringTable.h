@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "core/subdiv/oneRing.h"
+#include "core/subdiv/patchTable.h"
+#include "core/subdiv/refinementLevel.h"
+
+namespace cc {
+
+/// A ring of the table, and which of its faces a face is.
+struct RingPlace {
+    uint32_t ring, face;
+};
+
+/// Adds the rings of a level's vertices to a patch table, each once for all faces on its side.
+class RingTable {
+  public:
+    RingTable(RefinementLevel* level, PatchTable* table) : _level(level), _table(table) {}
+
+    /// Finds the ring of a vertex on the side of a face, and adds it if it is new. Returns false if
+    /// there is none (GatherCornerRing).
+    bool Find(int vertex, int face, RingPlace* place);
+
+    /// Adds a ring that was gathered; returns where a face of it is.
+    RingPlace Add(const CornerRing& ring, int face);
+
+  private:
+    RefinementLevel* const _level;
+    PatchTable* const _table;
+    /// By vertex and face of the level.
+    std::map<std::pair<int, int>, RingPlace> _places;
+};
+
+}  // namespace cc

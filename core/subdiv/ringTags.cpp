@@ -1,0 +1,126 @@
+#include "core/subdiv/ringTags.h"
+
+#include <algorithm>
+
+namespace cc {
+namespace {
+
+bool IsInfinite(float sharpness) { return sharpness >= kInfiniteSharpness; }
+bool IsSemiSharp(float sharpness) { return sharpness > 0 && !IsInfinite(sharpness); }
+bool IsSharp(float sharpness) { return sharpness > 0; }
+
+float DecayUniformly(float sharpness) {
+    return IsInfinite(sharpness) ? kInfiniteSharpness : std::max(sharpness - 1, 0.0f);
+}
+
+/// Chaikin's rule: neighbouring semi-sharp edges pull on each other before sharpness decays.
+float DecayByNeighbors(float sharpness, float semiSharpSum, int semiSharpCount) {
+    if (!IsSemiSharp(sharpness) || semiSharpCount < 2) {
+        return DecayUniformly(sharpness);
+    }
+    const float others = (semiSharpSum - sharpness) / static_cast<float>(semiSharpCount - 1);
+    return std::max(0.75f * sharpness + 0.25f * others - 1, 0.0f);
+}
+
+}  // namespace
+
+RingTags::Rule RingTags::VertexRule() const {
+    if (vertexSharpness > 0) {
+        return Rule::Corner;
+    }
+    const auto sharp = std::count_if(edgeSharpness.begin(), edgeSharpness.end(), IsSharp) +
+                       std::count_if(outsideSharpness.begin(), outsideSharpness.end(), IsSharp);
+    return sharp > 2 ? Rule::Corner : sharp == 2 ? Rule::Crease : Rule::Smooth;
+}
+
+bool RingTags::IsSettled() const {
+    return !IsSemiSharp(vertexSharpness) &&
+           std::none_of(edgeSharpness.begin(), edgeSharpness.end(), IsSemiSharp) &&
+           std::none_of(outsideSharpness.begin(), outsideSharpness.end(), IsSemiSharp);
+}
+
+bool RingTags::IsSmooth() const {
+    return isClosed && vertexSharpness <= 0 &&
+           std::none_of(edgeSharpness.begin(), edgeSharpness.end(), IsSharp);
+}
+
+bool RingTags::IsDart() const {
+    return isClosed && std::any_of(edgeSharpness.begin(), edgeSharpness.end(), IsSharp) &&
+           VertexRule() == Rule::Smooth;
+}
+
+bool RingTags::IsRegular(int smoothFaceCount) const {
+    if (IsSmooth()) {
+        return FaceCount() == smoothFaceCount;
+    }
+    if (!IsSettled() || IsDart()) {
+        return false;
+    }
+    switch (VertexRule()) {
+        case Rule::Smooth: return FaceCount() == smoothFaceCount;
+        case Rule::Crease: return FaceCount() == smoothFaceCount / 2;
+        case Rule::Corner: return FaceCount() == 1;
+    }
+    return false;
+}
+
+RingTags RingTags::Decayed() const {
+    float sum = 0;
+    int count = 0;
+    if (decay == SharpnessDecay::Chaikin) {
+        const auto add = [&](const auto& sharpnesses) {
+            for (float s : sharpnesses) {
+                sum += IsSemiSharp(s) ? s : 0;
+                count += IsSemiSharp(s);
+            }
+        };
+        add(edgeSharpness);
+        add(outsideSharpness);
+    }
+    RingTags decayed;
+    decayed.isClosed = isClosed;
+    decayed.decay = decay;
+    for (float s : edgeSharpness) {
+        decayed.edgeSharpness.push_back(DecayByNeighbors(s, sum, count));
+    }
+    for (float s : outsideSharpness) {
+        decayed.outsideSharpness.push_back(DecayByNeighbors(s, sum, count));
+    }
+    decayed.vertexSharpness = DecayUniformly(vertexSharpness);
+    return decayed;
+}
+
+float RingTags::FractionalWeight(const RingTags& decayed) const {
+    float sum = 0;
+    int count = 0;
+    const auto add = [&](float before, float after) {
+        if (IsSemiSharp(before) && after <= 0) {
+            sum += before;
+            ++count;
+        }
+    };
+    for (size_t j = 0; j < edgeSharpness.size(); ++j) {
+        add(edgeSharpness[j], decayed.edgeSharpness[j]);
+    }
+    for (size_t j = 0; j < outsideSharpness.size(); ++j) {
+        add(outsideSharpness[j], decayed.outsideSharpness[j]);
+    }
+    add(vertexSharpness, decayed.vertexSharpness);
+    return count > 0 ? std::min(sum / static_cast<float>(count), 1.0f) : 0;
+}
+
+void RingTags::CreaseEdges(int edges[2]) const {
+    edges[0] = 0;
+    edges[1] = static_cast<int>(edgeSharpness.size()) - 1;
+    if (!isClosed) {
+        return;
+    }
+    int found = 0;
+    for (int j = 0; j < static_cast<int>(edgeSharpness.size()) && found < 2; ++j) {
+        if (IsSharp(edgeSharpness[j])) {
+            edges[found++] = j;
+        }
+    }
+}
+
+}  // namespace cc
