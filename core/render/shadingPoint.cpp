@@ -27,22 +27,47 @@ LimitPoint LimitAtHit(const Instance& instance, const HitPacket& hits, int lane)
 }
 
 /// Normal of the traced triangle that a point of a patch lies on, in object space and of any
-/// length. Quads are cut from (0,0) to (1,1).
-Vec3f TriangleNormal(const Surface& surface, uint32_t patch, float u, float v, int level) {
-    // As tracers do: a mesh that is refined deeper than the level is traced at that depth.
-    const int splits =
-        std::max(level, surface.Patches().MaxDepth()) - surface.Patches().At(patch).depth;
-    const int quads = 1 << splits;
-    const float size = 1 / static_cast<float>(quads);
-    const float u0 = std::min(std::floor(u * quads), quads - 1.0f) * size;
-    const float v0 = std::min(std::floor(v * quads), quads - 1.0f) * size;
-    const auto corner = [&](float cu, float cv) {
-        return EvaluateLimitValue(surface.Patches(), patch, surface.PatchPoints().data(), cu, cv);
-    };
+/// length. The patch has so many segments along u and v.
+/// @param corner  gives the surface at parameters
+template <class Corner>
+Vec3f NormalInQuad(const Corner& corner, int segments, float u, float v) {
+    const float size = 1 / static_cast<float>(segments);
+    const float u0 = std::min(std::floor(u * segments), segments - 1.0f) * size;
+    const float v0 = std::min(std::floor(v * segments), segments - 1.0f) * size;
+    // Quads are cut from (0,0) to (1,1).
     const Vec3f origin = corner(u0, v0);
     const Vec3f diagonal = corner(u0 + size, v0 + size) - origin;
     return u - u0 > v - v0 ? Cross(corner(u0 + size, v0) - origin, diagonal)
                            : Cross(diagonal, corner(u0, v0 + size) - origin);
+}
+
+/// The same in a triangular patch: it is cut into upright triangles and, between those, turned
+/// ones.
+template <class Corner>
+Vec3f NormalInTriangle(const Corner& corner, int segments, float u, float v) {
+    const float size = 1 / static_cast<float>(segments);
+    float column = std::floor(u * segments), row = std::floor(v * segments);
+    // On the long edge there is no triangle further on.
+    if (column + row >= segments) {
+        (row > 0 ? row : column) -= 1;
+    }
+    const bool isTurned =
+        column + row + 1 < segments && (u * segments - column) + (v * segments - row) > 1;
+    const float turn = isTurned ? -size : size;
+    const float u0 = (column + isTurned) * size, v0 = (row + isTurned) * size;
+    const Vec3f origin = corner(u0, v0);
+    return Cross(corner(u0 + turn, v0) - origin, corner(u0, v0 + turn) - origin);
+}
+
+Vec3f TriangleNormal(const Surface& surface, uint32_t patch, float u, float v, int level) {
+    const PatchTable& patches = surface.Patches();
+    // As tracers do: a mesh that is refined deeper than the level is traced at that depth.
+    const int splits = std::max(level, patches.MaxDepth()) - patches.At(patch).depth;
+    const auto corner = [&](float cu, float cv) {
+        return EvaluateLimitValue(patches, patch, surface.PatchPoints().data(), cu, cv);
+    };
+    return patches.IsTriangle(patch) ? NormalInTriangle(corner, 1 << splits, u, v)
+                                     : NormalInQuad(corner, 1 << splits, u, v);
 }
 
 bool IsBehind(const Instance& instance, const LimitPoint& limit, const RayPacket& rays,

@@ -14,11 +14,13 @@
 #include "core/subdiv/extraordinaryPatch.h"
 #include "core/subdiv/irregularPatch.h"
 #include "core/trace/bezierRows-inl.h"
+#include "core/trace/patchRays-inl.h"
 #include "core/trace/quadBlock-inl.h"
 #include "core/trace/quadIntersection-inl.h"
 #include "core/trace/rayPacket.h"
 #include "core/trace/surface.h"
 #include "core/trace/traversal-inl.h"
+#include "core/trace/triangleIntersector-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace cc {
@@ -74,7 +76,8 @@ class PatchIntersector {
           _level(std::max(level, surface.Patches().MaxDepth())),
           _rays(*rays),
           _hits(hits),
-          _statistics(*statistics) {
+          _statistics(*statistics),
+          _triangles(surface, instance, _level, rays, hits, statistics, &_doneRays) {
         for (int i = 0; i < rays->rays.count; ++i) {
             _doneRays += rays->rays.tMax[i] < rays->rays.tMin[i];
         }
@@ -100,6 +103,10 @@ class PatchIntersector {
         _patch = patch;
         const PatchTable& patches = _surface.Patches();
         const Patch& p = patches.At(patch);
+        if (patches.IsTriangle(patch)) {
+            _isShortened |= _triangles.Intersect(patch, firstRay);
+            return;
+        }
         const int splits = _level - p.depth;
         const Square whole{0, 0, 1};
         if (p.kind == PatchKind::Extraordinary) {
@@ -123,14 +130,8 @@ class PatchIntersector {
         _IntersectBezier(bezier, whole, splits, firstRay);
     }
 
-    /// How far apart neighbouring patches may compute the same point.
     void _SetTolerance(const Vec3f* points, int count) {
-        float largest = 0;
-        for (int i = 0; i < count; ++i) {
-            largest = std::max(
-                {largest, std::fabs(points[i].x), std::fabs(points[i].y), std::fabs(points[i].z)});
-        }
-        _tolerance = 2.5e-7f * largest;
+        _tolerance = RoundingTolerance(points, count);
     }
 
     void _GatherExtraordinary(const PatchTable& patches, ExtraordinaryPatch::Points* points) const {
@@ -214,24 +215,10 @@ class PatchIntersector {
         _IntersectQuad(corners, _Widened(box), square, firstRay);
     }
 
-    Box3f _Widened(Box3f box) const {
-        for (int axis = 0; axis < 3; ++axis) {
-            box.lower[axis] -= _tolerance;
-            box.upper[axis] += _tolerance;
-        }
-        return box;
-    }
+    Box3f _Widened(const Box3f& box) const { return Widened(box, _tolerance); }
 
-    /// The first ray that hits a box, or the packet's count: culling by interval first.
-    int _FirstRay(const Box3f& box, int firstRay) {
-        ++_statistics.boxTests;
-        if (_rays.Culls(box)) {
-            ++_statistics.intervalCulls;
-            return _rays.rays.count;
-        }
-        const int first = FirstRayThatHits(Tag(), _rays.rays, firstRay, box);
-        _statistics.earlyHits += first == firstRay;
-        return first;
+    int _FirstRay(const Box3f& box, int firstRay) const {
+        return FirstRayIn(_rays, box, firstRay, &_statistics);
     }
 
     void _IntersectBezier(const BezierPatch& bezier, const Square& square, int splits,
@@ -257,26 +244,12 @@ class PatchIntersector {
                 continue;
             }
             if (part.splits == kBlockSplits) {
-                _IntersectBlock(part, _RaysThatHit(box, first));
+                _IntersectBlock(part, RaysIn(_rays, box, first));
                 continue;
             }
             ++_statistics.subdivisionsRegular;
             _PushQuarters(part, first, stack, &count);
         }
-    }
-
-    /// A bit for each ray from the first on that hits a box.
-    uint64_t _RaysThatHit(const Box3f& box, int firstRay) const {
-        const Tag d;
-        const int lanes = static_cast<int>(hn::Lanes(d));
-        uint64_t bits = 0;
-        for (int group = firstRay - firstRay % lanes; group < _rays.rays.count; group += lanes) {
-            alignas(8) uint8_t bytes[8] = {};
-            hn::StoreMaskBits(d, RaysHitBox(d, _rays.rays, group, box), bytes);
-            const uint64_t mask = bytes[0] | static_cast<uint64_t>(bytes[1]) << 8;
-            bits |= (mask & ((uint64_t(1) << lanes) - 1)) << group;
-        }
-        return bits;
     }
 
     /// The last levels of a part, evaluated whole, against the rays that reach its box.
@@ -396,6 +369,7 @@ class PatchIntersector {
     float _tolerance = 0;
     int _doneRays = 0;
     bool _isShortened = false;
+    TriangleIntersector<Rays, kAnyHit> _triangles;
 };
 
 }  // namespace HWY_NAMESPACE

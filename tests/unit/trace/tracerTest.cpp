@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "core/subdiv/limitPoint.h"
+#include "tests/unit/subdiv/cageKit.h"
 #include "tests/unit/subdiv/testCages.h"
 
 namespace cc::test {
@@ -76,6 +77,20 @@ float SlowestShrinkage(const PatchTable& patches, uint32_t patch) {
     return static_cast<float>((c + 5 + std::sqrt((c + 9) * (c + 1))) / 16);
 }
 
+/// The same for triangles: 3/8 + cos(2 pi/n)/4 at a smooth vertex of valence n, and half the angle
+/// at a boundary or crease.
+float SlowestTriangleShrinkage(const PatchTable& patches, uint32_t patch) {
+    constexpr double kPi = 3.14159265358979323846;
+    double angle = kPi / 3;
+    if (patches.At(patch).kind == PatchKind::IrregularTriangle) {
+        for (int corner = 0; corner < 3; ++corner) {
+            const PatchRing& ring = patches.Ring(patches.Indices(patch)[2 * corner]);
+            angle = std::min(angle, (ring.isClosed ? 2 : 1) * kPi / ring.faceCount);
+        }
+    }
+    return static_cast<float>(0.375 + 0.25 * std::cos(angle));
+}
+
 class TracerTest : public testing::TestWithParam<Cage> {};
 
 TEST_P(TracerTest, HitsLieOnTheLimitSurface) {
@@ -105,7 +120,10 @@ TEST_P(TracerTest, HitsLieOnTheLimitSurface) {
                                   hits.u[i], hits.v[i]);
                 // Quads of level 6 are within a few 4^-6 of the surface, but those around a vertex
                 // of high valence shrink slower.
-                const float shrinkage = SlowestShrinkage(surface.Patches(), hits.patch[i]);
+                const PatchTable& patches = surface.Patches();
+                const float shrinkage = patches.IsTriangle(hits.patch[i])
+                                            ? SlowestTriangleShrinkage(patches, hits.patch[i])
+                                            : SlowestShrinkage(patches, hits.patch[i]);
                 const float tolerance = 1e-3f * std::pow(2 * shrinkage, 8.0f);
                 EXPECT_LT(Length(limit.position - PointOf(rays, i)),
                           tolerance * surface.Bounds().Diagonal());
@@ -140,8 +158,19 @@ TEST_P(TracerTest, SingleRaysAgreeWithPackets) {
 
 INSTANTIATE_TEST_SUITE_P(Catalogue, TracerTest, testing::ValuesIn(Catalogue()), TestName);
 
+/// Triangles of the Loop scheme, regular and irregular, with tags that part them.
+Cage CreasedIcosahedron() {
+    Cage cage = LoopIcosahedron();
+    AddCrease(&cage, {2, 4, 6, 8, 10, 2}, 10);
+    AddCrease(&cage, {3, 5, 7}, 1.7f);
+    AddCorner(&cage, 1, 2.4f);
+    return Named(cage, "creased icosahedron");
+}
+
 TEST(Tracer, NothingEscapesAClosedMesh) {
-    for (const Cage& cage : {Torus(8, 6), Cube(), Drum(5), Tetrahedron()}) {
+    for (const Cage& cage :
+         {Torus(8, 6), Cube(), Drum(5), Tetrahedron(), TriangleTorus(8, 6), TriangleTorus(3, 4),
+          LoopOctahedron(), LoopIcosahedron(), CreasedIcosahedron()}) {
         const TracedCage traced(cage);
         // A point inside, below a vertex of the quads of every level.
         const Surface& surface = *traced.surface;
