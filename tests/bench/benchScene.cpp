@@ -1,65 +1,17 @@
 #include "benchScene.h"
 
-#include <array>
-#include <cstdint>
-#include <cstring>
-#include <fstream>
-#include <stdexcept>
+#include "binaryReader.h"
+#include "core/math/box.h"
 
 namespace {
 
-/// Takes little-endian values off a file; throws where the file ends too early.
-class Reader {
-  public:
-    explicit Reader(const std::string& path) : _file(path, std::ios::binary) {}
+cc::AffineTransform ReadTransform(BinaryReader* reader) {
+    return cc::AffineTransform(reader->Value<std::array<std::array<double, 4>, 3>>());
+}
 
-    bool IsOpen() const { return _file.is_open(); }
-
-    template <class T>
-    T Value() {
-        T value;
-        _Read(&value, sizeof(T));
-        return value;
-    }
-
-    int Int() { return Value<int32_t>(); }
-
-    /// An array with its length before it.
-    template <class T>
-    std::vector<T> Array() {
-        const uint32_t count = Value<uint32_t>();
-        if (count > kLongestArray) {
-            throw std::runtime_error("an array is too long");
-        }
-        std::vector<T> values(count);
-        _Read(values.data(), count * sizeof(T));
-        return values;
-    }
-
-    std::string String() {
-        const std::vector<char> text = Array<char>();
-        return std::string(text.begin(), text.end());
-    }
-
-    cc::AffineTransform Transform() {
-        return cc::AffineTransform(Value<std::array<std::array<double, 4>, 3>>());
-    }
-
-  private:
-    static constexpr uint32_t kLongestArray = 1u << 30;
-
-    void _Read(void* to, size_t bytes) {
-        if (!_file.read(static_cast<char*>(to), static_cast<std::streamsize>(bytes))) {
-            throw std::runtime_error("the file ends too early");
-        }
-    }
-
-    std::ifstream _file;
-};
-
-cc::Camera ReadCamera(Reader* reader) {
+cc::Camera ReadCamera(BinaryReader* reader) {
     cc::Camera camera;
-    camera.cameraToWorld = reader->Transform();
+    camera.cameraToWorld = ReadTransform(reader);
     camera.orthographic = reader->Int() != 0;
     camera.windowLower = reader->Value<cc::Vec2f>();
     camera.windowUpper = reader->Value<cc::Vec2f>();
@@ -68,7 +20,7 @@ cc::Camera ReadCamera(Reader* reader) {
     return camera;
 }
 
-cc::ControlMesh ReadTopology(Reader* reader) {
+cc::ControlMesh ReadTopology(BinaryReader* reader) {
     cc::ControlMesh mesh;
     mesh.scheme = static_cast<cc::Scheme>(reader->Int());
     mesh.boundaryRule = static_cast<cc::BoundaryRule>(reader->Int());
@@ -85,10 +37,10 @@ cc::ControlMesh ReadTopology(Reader* reader) {
     return mesh;
 }
 
-BenchMesh ReadMesh(Reader* reader) {
+BenchMesh ReadMesh(BinaryReader* reader) {
     BenchMesh mesh;
     mesh.name = reader->String();
-    mesh.objectToWorld = reader->Transform();
+    mesh.objectToWorld = ReadTransform(reader);
     mesh.topology = ReadTopology(reader);
     mesh.points = reader->Array<cc::Vec3f>();
     return mesh;
@@ -96,23 +48,32 @@ BenchMesh ReadMesh(Reader* reader) {
 
 }  // namespace
 
-std::string ReadBenchScene(const std::string& path, BenchScene* scene) {
-    Reader reader(path);
-    if (!reader.IsOpen()) {
-        return path + ": cannot be opened";
+BenchScene ReadBenchScene(const std::string& path) {
+    BinaryReader reader(path, "ccbench2");
+    BenchScene scene;
+    scene.camera = ReadCamera(&reader);
+    for (cc::Vec3f& light : scene.lights) {
+        light = reader.Value<cc::Vec3f>();
     }
-    try {
-        const auto magic = reader.Value<std::array<char, 8>>();
-        if (std::memcmp(magic.data(), "ccbench1", magic.size()) != 0) {
-            return path + ": is no exported scene";
-        }
-        scene->camera = ReadCamera(&reader);
-        const uint32_t count = reader.Value<uint32_t>();
-        for (uint32_t i = 0; i < count; ++i) {
-            scene->meshes.push_back(ReadMesh(&reader));
-        }
-    } catch (const std::exception& failure) {
-        return path + ": " + failure.what();
+    const uint32_t count = reader.Value<uint32_t>();
+    for (uint32_t i = 0; i < count; ++i) {
+        scene.meshes.push_back(ReadMesh(&reader));
     }
-    return std::string();
+    return scene;
+}
+
+std::vector<cc::Vec3f> RippledPoints(const BenchMesh& mesh, float phase) {
+    cc::Box3f bounds;
+    for (const cc::Vec3f& point : mesh.points) {
+        bounds.Extend(point);
+    }
+    const float size = Length(bounds.upper - bounds.lower);
+    std::vector<cc::Vec3f> moved = mesh.points;
+    if (!(size > 0)) {
+        return moved;
+    }
+    for (cc::Vec3f& point : moved) {
+        point.y += 0.01f * size * std::sin(20 * (point.x + point.z) / size + phase);
+    }
+    return moved;
 }

@@ -3,38 +3,25 @@
 import argparse
 import json
 import sys
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from . import bench_rays, bench_table, pictures
+from . import bench_scenes, bench_table, pictures
+from .bench_suites import SUITES
 from .console import CommandError, error
-
-
-@dataclass(frozen=True)
-class Suite:
-    """A kind of measurement: run(arguments) returns rows with the keys of --stats and more."""
-
-    about: str
-    run: Any
-
-
-#: All suites, in one place.
-SUITES = {
-    "rays": Suite("primary rays, by tracer: Mrays/s and bytes a base face", bench_rays.run),
-}
 
 
 def main(arguments: list[str]) -> int:
     """Runs the command; returns its exit code."""
     try:
         options = _parse(arguments)
-        rows = SUITES[options.suite].run(options)
-        print(bench_table.as_text(rows))
+        suite = SUITES[options.suite]
+        rows = suite.run(options)
+        print(bench_table.as_text(rows, suite.columns))
         if options.json:
             _write_json(rows, options.json)
         if options.markdown:
-            bench_table.update_page(options.suite, rows, arguments)
+            bench_table.update_page(options.suite, rows, suite.columns, arguments)
         return 0
     except CommandError as failure:
         error(str(failure))
@@ -58,9 +45,12 @@ def _parse(arguments: list[str]) -> argparse.Namespace:
     )
     parser.add_argument("suite", metavar="SUITE", help=suites)
     parser.add_argument(
-        "--scene", metavar="F", help="a USD scene in place of the suite's own; its first camera"
+        "--scene",
+        metavar="F",
+        help="a USD scene in place of the suite's own, seen through its first camera; or one of "
+        + " ".join(bench_scenes.GENERATED),
     )
-    parser.add_argument("--level", metavar="L", type=_number(0, 8), default=4, help="default: 4")
+    parser.add_argument("--level", metavar="L", type=_number(0, 8), help="default: the suite's own")
     parser.add_argument(
         "--threads", metavar="N", type=_number(1, 1024), default=1, help="default: 1"
     )
@@ -70,19 +60,28 @@ def _parse(arguments: list[str]) -> argparse.Namespace:
     parser.add_argument(
         "--runs", metavar="N", type=_number(1, 1000), default=5, help="medians of this; default: 5"
     )
+    parser.add_argument(
+        "--quick", action="store_true", help="256 pixels, one run, no city: to see that it works"
+    )
     parser.add_argument("--json", metavar="F", help="write the rows as JSON")
     parser.add_argument(
         "--markdown", action="store_true", help="put the table into docs/performance.md"
     )
     options = parser.parse_args(arguments)
     _check(options)
+    if options.quick:
+        options.size, options.runs = min(options.size, 256), 1
     return options
 
 
 def _check(options: argparse.Namespace) -> None:
     if options.suite not in SUITES:
         raise CommandError(f"unknown suite '{options.suite}' (known: {' '.join(SUITES)})", 2)
-    if options.scene and not Path(options.scene).is_file():
+    if (
+        options.scene
+        and options.scene not in bench_scenes.GENERATED
+        and not Path(options.scene).is_file()
+    ):
         raise CommandError(f"{options.scene}: no such file")
     if options.json:
         pictures.check_folder(options.json)

@@ -5,16 +5,17 @@ Run as a module, under a Python that has pxr: python -m _lib.bench_export SCENE 
 
 import struct
 import sys
-from array import array
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
 from typing import BinaryIO
 
-from pxr import Gf, Usd, UsdGeom, UsdUtils
+import numpy as np
+from numpy.typing import ArrayLike
+from pxr import Gf, Usd, UsdGeom, UsdLux, UsdUtils
 
-MAGIC = b"ccbench1"
+MAGIC = b"ccbench2"
 #: cc::Scheme, cc::BoundaryRule and cc::TriangleRule; schemes that core does not know are bilinear
-SCHEMES = {"catmullClark": 0, "loop": 0, "bilinear": 1, "none": 2}
+SCHEMES = {"catmullClark": 0, "bilinear": 1, "none": 2, "loop": 3}
 BOUNDARY_RULES = {"none": 0, "edgeOnly": 1, "edgeAndCorner": 2}
 TRIANGLE_RULES = {"catmullClark": 0, "smooth": 1}
 PURPOSES = ("default", "proxy")
@@ -27,7 +28,10 @@ def export(scene: str, out: str) -> None:
     meshes = list(_placed_meshes(stage, when))
     with Path(out).open("wb") as file:
         file.write(MAGIC)
-        _write_camera(file, _camera(stage, when))
+        camera = _camera(stage, when)
+        _write_camera(file, camera)
+        for light in _lights(stage, when, camera):
+            file.write(struct.pack("<3f", *light))
         file.write(struct.pack("<I", len(meshes)))
         for mesh, matrix in meshes:
             _write_mesh(file, mesh, matrix, when)
@@ -40,6 +44,24 @@ def _camera(stage: Usd.Stage, when: Usd.TimeCode) -> Gf.Camera:
     if not cameras:
         raise SystemExit(f"error: {stage.GetRootLayer().identifier} has no camera")
     return UsdGeom.Camera(cameras[0]).GetCamera(when)
+
+
+def _lights(stage: Usd.Stage, when: Usd.TimeCode, camera: Gf.Camera) -> list[Gf.Vec3d]:
+    """Where two point lights are: the stage's first lights, else beside and above the camera."""
+    cache = UsdGeom.XformCache(when)
+    box = UsdGeom.BBoxCache(when, [UsdGeom.Tokens.default_], useExtentsHint=True)
+    bounds = box.ComputeWorldBound(stage.GetPseudoRoot()).ComputeAlignedRange()
+    places = []
+    for prim in stage.Traverse():
+        matrix = cache.GetLocalToWorldTransform(prim)
+        if prim.IsA(UsdLux.DistantLight):
+            towards = matrix.TransformDir(Gf.Vec3d(0, 0, -1)).GetNormalized()
+            places.append(bounds.GetMidpoint() - towards * bounds.GetSize().GetLength())
+        elif prim.IsA(UsdLux.BoundableLightBase):
+            places.append(matrix.ExtractTranslation())
+    far = 0.25 * bounds.GetSize().GetLength() if not bounds.IsEmpty() else 1.0
+    places += [camera.transform.Transform(Gf.Vec3d(side * far, far, 0)) for side in (-1, 1)]
+    return places[:2]
 
 
 def _placed_meshes(
@@ -127,13 +149,14 @@ def _write_mesh(
     _write_array(file, "f", mesh.GetCreaseSharpnessesAttr().Get(when))
     _write_array(file, "i", mesh.GetCornerIndicesAttr().Get(when))
     _write_array(file, "f", mesh.GetCornerSharpnessesAttr().Get(when))
-    points = mesh.GetPointsAttr().Get(when) or []
+    points = np.asarray(mesh.GetPointsAttr().Get(when) or np.zeros((0, 3)), dtype="<f4")
     file.write(struct.pack("<I", len(points)))
-    array("f", (value for point in points for value in point)).tofile(file)
+    points.tofile(file)
 
 
-def _write_array(file: BinaryIO, kind: str, values: Iterable | None) -> None:
-    numbers = array(kind, values or [])
+def _write_array(file: BinaryIO, kind: str, values: ArrayLike | None) -> None:
+    """Numbers of a kind, 'i' or 'f', of four bytes each, with their count before them."""
+    numbers = np.asarray([] if values is None else values, dtype=f"<{kind}4")
     file.write(struct.pack("<I", len(numbers)))
     numbers.tofile(file)
 

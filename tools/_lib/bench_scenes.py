@@ -1,6 +1,8 @@
 """The scenes that suites measure; large ones are generated once, into build/bench."""
 
+import argparse
 import subprocess
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -19,20 +21,31 @@ class Scene:
     file: Path
 
 
-#: Name and generator of the scenes that are too large to keep.
-GENERATED = {"creature": "dragon.py", "forest": "forest.py", "city": "city.py"}
+#: Scenes of the paper's three sizes.
+SIZES = ("creature", "forest", "city")
+#: Cages of one kind of face each, for what memory depends on.
+CAGES = ("regular", "irregular", "creased")
+#: How scenes are made that are too large to keep: a generator and its options.
+GENERATED = {
+    "creature": ("dragon.py",),
+    "forest": ("forest.py",),
+    "city": ("city.py",),
+    **{kind: ("cages.py", "--kind", kind) for kind in CAGES},
+}
 
 
-def scenes(chosen: str | None) -> list[Scene]:
-    """The chosen scene, or else all that suites measure."""
-    if chosen:
-        return [Scene(Path(chosen).stem, Path(chosen))]
-    generated = [_generate(name, script) for name, script in GENERATED.items()]
-    return [Scene("hero", SCENES / "hero.usda"), *generated]
+def scenes(options: argparse.Namespace, names: Sequence[str] = SIZES) -> list[Scene]:
+    """The chosen scene, or else those of the suite."""
+    if options.scene in GENERATED:
+        return [_generate(options.scene)]
+    if options.scene:
+        return [Scene(Path(options.scene).stem, Path(options.scene))]
+    return [_generate(name) for name in names if not (options.quick and name == "city")]
 
 
-def _generate(name: str, script: str) -> Scene:
+def _generate(name: str) -> Scene:
     """Runs a generator, unless what it made last is newer than every generator."""
+    script, *options = GENERATED[name]
     file = BUILD / "bench" / f"{name}.usdc"
     newest = max(path.stat().st_mtime for path in GENERATORS.glob("*.py"))
     if file.is_file() and file.stat().st_mtime > newest:
@@ -41,7 +54,9 @@ def _generate(name: str, script: str) -> Scene:
     python = sdk.ensure().usd_core_python
     made = file.with_name(f"new-{file.name}")
     finished = subprocess.run(
-        [str(python), str(GENERATORS / script), str(made)], stdout=subprocess.DEVNULL, check=False
+        [str(python), str(GENERATORS / script), str(made), *options],
+        stdout=subprocess.DEVNULL,
+        check=False,
     )
     if finished.returncode != 0 or not made.is_file():
         raise CommandError(f"{script} could not generate the scene '{name}'")

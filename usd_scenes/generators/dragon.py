@@ -293,7 +293,7 @@ def build() -> Usd.Stage:
     add_quad_mesh(stage, "/World/Drake", drake(), list(PALETTE.values()))
     add_distant_light(stage, "/World/Sun", (0.5, -0.8, -0.6), 3.0, (1.0, 0.94, 0.85))
     add_sphere_light(stage, "/World/Lamp", (-6.0, 5.0, 5.0), 0.2, 120.0, (0.6, 0.75, 1.0))
-    add_camera(stage, "/World/Camera", (-7.0, 4.0, 10.2), (-0.40, 1.70, 0.35), 49.0, aspect=1.0)
+    add_camera(stage, "/World/Camera", (-9.6, 3.6, 6.2), (-0.60, 1.90, 0.40), 60.0, aspect=1.0)
     return stage
 
 

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "benchScene.h"
+#include "core/scene/scene.h"
+#include "rays.h"
+
+/// The renderer's scene, made of an exported one, with the time that took.
+class BuiltScene {
+  public:
+    /// Builds from points in memory with so many threads, then traces the first ray.
+    BuiltScene(const BenchScene& source, const Ray& firstRay, int threads);
+
+    /// Moves all points, as an edit does, and traces the first ray. Returns the seconds it took.
+    double Edit(std::vector<std::vector<cc::Vec3f>> points, const Ray& firstRay, int threads);
+
+    const cc::Scene& Scene() const { return _scene; }
+    double BuildSeconds() const { return _buildSeconds; }
+
+  private:
+    void _Build(const Ray& firstRay, int threads);
+
+    cc::Scene _scene;
+    std::vector<cc::Mesh*> _meshes;
+    double _buildSeconds = 0;
+};

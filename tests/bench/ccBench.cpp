@@ -1,0 +1,183 @@
+// Measures the renderer on an exported scene, command by command.
+//
+//     cc_bench SCENE
+//
+// answers commands from standard input with a line of JSON each, so that tools/bench can let it
+// take turns with other programs that trace the same rays:
+//
+//     build THREADS                      points in memory to the first ray, all anew
+//     edit THREADS                       new points to the first ray
+//     make-rays FILE SIZE LEVEL          primary, shadow and reflection rays of a square picture
+//     load-rays FILE
+//     trace TRACER LEVEL SET THREADS     SET is a name such as primary
+//     texture TRACER LEVEL SET THREADS   as trace, and texture coordinates at the hits
+//     memory                             what the structures hold
+
+#include <cstdio>
+#include <exception>
+#include <map>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+
+#include "builtScene.h"
+#include "commands.h"
+#include "rayMaker.h"
+#include "tracing.h"
+
+namespace {
+
+constexpr int kMaxThreads = 1024;
+
+class Bench {
+  public:
+    explicit Bench(const std::string& path)
+        : _source(ReadBenchScene(path)), _firstRay(MakePrimaryRays(_source.camera, 1).rays[0]) {}
+
+    Answer Build(const Words& words) {
+        const int threads = NumberAt(words, 0, 1, kMaxThreads);
+        _tracers.clear();
+        _built = nullptr;
+        _built = std::make_unique<BuiltScene>(_source, _firstRay, threads);
+        return Answer()
+            .Number("seconds", _built->BuildSeconds())
+            .Count("peak_rss", PeakResidentBytes());
+    }
+
+    Answer Edit(const Words& words) {
+        const int threads = NumberAt(words, 0, 1, kMaxThreads);
+        _RequireScene();
+        std::vector<std::vector<cc::Vec3f>> points;
+        ++_edits;
+        _tracers.clear();
+        for (const BenchMesh& mesh : _source.meshes) {
+            points.push_back(RippledPoints(mesh, static_cast<float>(_edits)));
+        }
+        return Answer().Number("seconds", _built->Edit(std::move(points), _firstRay, threads));
+    }
+
+    Answer MakeRays(const Words& words) {
+        const std::string& path = WordAt(words, 0);
+        const int size = NumberAt(words, 1, 8, 16384), level = NumberAt(words, 2, 0, 8);
+        _RequireScene();
+        std::vector<RaySet> sets{MakePrimaryRays(_source.camera, size)};
+        const auto tracer = MakeTracer(cc::TracerKind::Packet, level);
+        for (RaySet& set : MakeSecondaryRays(_built->Scene(), _source.lights, sets[0], *tracer)) {
+            sets.push_back(std::move(set));
+        }
+        WriteRays(path, sets);
+        Answer answer;
+        for (const RaySet& set : sets) {
+            answer.Count(set.name, set.rays.size());
+        }
+        return answer;
+    }
+
+    Answer LoadRays(const Words& words) {
+        _sets = ReadRays(WordAt(words, 0));
+        return Answer().Count("sets", _sets.size());
+    }
+
+    Answer Trace(const Words& words, HitValues values) {
+        const cc::TracerKind kind = TracerKindOfName(WordAt(words, 0));
+        const int level = NumberAt(words, 1, 0, 8), threads = NumberAt(words, 3, 1, kMaxThreads);
+        _RequireScene();
+        cc::TraceStatistics s;
+        const TraceRun run = TraceRays(_built->Scene(), _TracerFor(kind, level),
+                                       _SetOfName(WordAt(words, 2)), threads, values, &s);
+        return Answer()
+            .Number("seconds", run.seconds)
+            .Number("wall_seconds", run.wallSeconds)
+            .Count("rays", run.rays)
+            .Count("hits", run.hits)
+            .Count("packets", s.packets)
+            .Count("traversals", s.traversals)
+            .Count("leaf_intersections", s.leafIntersections)
+            .Count("subdivisions_regular", s.subdivisionsRegular)
+            .Count("subdivisions_irregular", s.subdivisionsIrregular)
+            .Count("box_tests", s.boxTests)
+            .Count("early_hit", s.earlyHits)
+            .Count("interval_culls", s.intervalCulls)
+            .Count("final_intersections", s.finalIntersections)
+            .Count("active_lanes", s.activeLanes);
+    }
+
+    Answer Memory() const {
+        _RequireScene();
+        const cc::Scene::Statistics statistics = _built->Scene().GetStatistics();
+        size_t patches = 0, points = 0, bvh = _built->Scene().Instances().TopLevel().Bytes();
+        for (const cc::Instance& instance : _built->Scene().Instances().Instances()) {
+            patches += instance.surface->Patches().Bytes();
+            points += instance.surface->PatchPoints().capacity() * sizeof(cc::Vec3f);
+            bvh += instance.surface->PatchBvh().Bytes();
+        }
+        return Answer()
+            .Count("faces", statistics.faces)
+            .Count("patches", statistics.patches)
+            .Count("bytes", statistics.bytes)
+            .Count("patch_bytes", patches)
+            .Count("point_bytes", points)
+            .Count("bvh_bytes", bvh)
+            .Count("peak_rss", PeakResidentBytes());
+    }
+
+  private:
+    void _RequireScene() const {
+        if (!_built) {
+            throw std::runtime_error("nothing is built yet");
+        }
+    }
+
+    const cc::Tracer& _TracerFor(cc::TracerKind kind, int level) {
+        std::unique_ptr<cc::Tracer>& tracer = _tracers[{kind, level}];
+        if (!tracer) {
+            tracer = MakeTracer(kind, level);
+        }
+        return *tracer;
+    }
+
+    const RaySet& _SetOfName(const std::string& name) const {
+        for (const RaySet& set : _sets) {
+            if (set.name == name) {
+                return set;
+            }
+        }
+        throw std::runtime_error("there are no rays '" + name + "'");
+    }
+
+    const BenchScene _source;
+    const Ray _firstRay;
+    int _edits = 0;
+    std::unique_ptr<BuiltScene> _built;
+    std::map<std::pair<cc::TracerKind, int>, std::unique_ptr<cc::Tracer>> _tracers;
+    std::vector<RaySet> _sets;
+};
+
+void Serve(const std::string& path) {
+    Bench bench(path);
+    ServeCommands({
+        {"build", [&](const Words& words) { return bench.Build(words); }},
+        {"edit", [&](const Words& words) { return bench.Edit(words); }},
+        {"make-rays", [&](const Words& words) { return bench.MakeRays(words); }},
+        {"load-rays", [&](const Words& words) { return bench.LoadRays(words); }},
+        {"trace", [&](const Words& words) { return bench.Trace(words, HitValues::None); }},
+        {"texture",
+         [&](const Words& words) { return bench.Trace(words, HitValues::TextureCoordinates); }},
+        {"memory", [&](const Words&) { return bench.Memory(); }},
+    });
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        if (argc != 2) {
+            throw std::runtime_error("usage: cc_bench SCENE");
+        }
+        Serve(argv[1]);
+        return 0;
+    } catch (const std::exception& failure) {
+        std::fprintf(stderr, "error: %s\n", failure.what());
+        return 1;
+    }
+}

@@ -1,0 +1,116 @@
+#include "tracing.h"
+
+#include <map>
+#include <memory>
+#include <stdexcept>
+
+#include "core/subdiv/limitPoint.h"
+
+namespace {
+
+const std::map<std::string, cc::TracerKind> kTracers{
+    {"packet", cc::TracerKind::Packet},
+    {"single", cc::TracerKind::Single},
+};
+
+/// One thread's tracing of chunks.
+class Worker {
+  public:
+    Worker(const cc::Scene& scene, const cc::Tracer& tracer, bool anyHit, HitValues values)
+        : _scene(scene), _tracer(tracer), _anyHit(anyHit), _values(values) {}
+
+    void Load(const RayChunk& chunk) {
+        const Ray* rays = chunk.rays;
+        _count = chunk.packetCount;
+        for (int i = 0; i < _count; ++i) {
+            FillPacket(rays, chunk.packetSizes[i], &_packets[i]);
+            rays += chunk.packetSizes[i];
+        }
+    }
+
+    void Trace() {
+        for (int i = 0; i < _count; ++i) {
+            if (_anyHit) {
+                _occluded[i] = _tracer.Occluded(_scene.Instances(), _packets[i], &statistics);
+                continue;
+            }
+            _tracer.Intersect(_scene.Instances(), &_packets[i], &_hits[i], &statistics);
+            if (_values == HitValues::TextureCoordinates) {
+                _EvaluateHits(_packets[i].count, _hits[i]);
+            }
+        }
+    }
+
+    uint64_t CountHits() const {
+        uint64_t hits = 0;
+        for (int i = 0; i < _count; ++i) {
+            for (int lane = 0; lane < _packets[i].count; ++lane) {
+                hits += _anyHit ? _occluded[i] >> lane & 1 : _hits[i].instance[lane] != cc::kNoHit;
+            }
+        }
+        return hits;
+    }
+
+    cc::TraceStatistics statistics;
+
+  private:
+    /// The cage's points stand in for texture coordinates: any vertex primvar costs the same.
+    void _EvaluateHits(int count, const cc::HitPacket& hits) {
+        for (int i = 0; i < count; ++i) {
+            if (hits.instance[i] != cc::kNoHit) {
+                const cc::Surface& surface =
+                    *_scene.Instances().Instances()[hits.instance[i]].surface;
+                _sink += EvaluateLimitValue(surface.Patches(), hits.patch[i],
+                                            surface.PatchPoints().data(), hits.u[i], hits.v[i]);
+            }
+        }
+    }
+
+    const cc::Scene& _scene;
+    const cc::Tracer& _tracer;
+    const bool _anyHit;
+    const HitValues _values;
+    int _count = 0;
+    cc::RayPacket _packets[kPacketsInChunk];
+    cc::HitPacket _hits[kPacketsInChunk];
+    uint64_t _occluded[kPacketsInChunk];
+    cc::Vec3f _sink;
+};
+
+}  // namespace
+
+void FillPacket(const Ray* rays, int count, cc::RayPacket* packet) {
+    packet->count = count;
+    for (int i = 0; i < count; ++i) {
+        packet->originX[i] = rays[i].origin.x;
+        packet->originY[i] = rays[i].origin.y;
+        packet->originZ[i] = rays[i].origin.z;
+        packet->directionX[i] = rays[i].direction.x;
+        packet->directionY[i] = rays[i].direction.y;
+        packet->directionZ[i] = rays[i].direction.z;
+        packet->tMin[i] = rays[i].tMin;
+        packet->tMax[i] = rays[i].tMax;
+    }
+}
+
+TraceRun TraceRays(const cc::Scene& scene, const cc::Tracer& tracer, const RaySet& set, int threads,
+                   HitValues values, cc::TraceStatistics* statistics) {
+    std::vector<std::unique_ptr<Worker>> workers(threads);
+    const auto makeWorker = [&](int thread) {
+        workers[thread] = std::make_unique<Worker>(scene, tracer, set.anyHit, values);
+        return workers[thread].get();
+    };
+    const TraceRun run = TraceInThreads(set, threads, makeWorker);
+    for (const std::unique_ptr<Worker>& worker : workers) {
+        *statistics += worker->statistics;
+    }
+    return run;
+}
+
+cc::TracerKind TracerKindOfName(const std::string& name) {
+    const auto found = kTracers.find(name);
+    if (found == kTracers.end()) {
+        throw std::runtime_error("unknown tracer '" + name + "'");
+    }
+    return found->second;
+}
