@@ -73,6 +73,38 @@ void SetCreases(RTCGeometry geometry, const cc::ControlMesh& mesh) {
                         WithInfinity(mesh.cornerSharpnesses));
 }
 
+/// Makes hole faces impossible to hit, as a displacement: all points of the face are moved to
+/// its first. The geometry's user data is a vector of bool, one a face.
+void CollapseHoles(const RTCDisplacementFunctionNArguments* arguments) {
+    const auto& isHole = *static_cast<const std::vector<bool>*>(arguments->geometryUserPtr);
+    if (!isHole[arguments->primID]) {
+        return;
+    }
+    for (unsigned i = 0; i < arguments->N; ++i) {
+        arguments->P_x[i] = arguments->P_x[0];
+        arguments->P_y[i] = arguments->P_y[0];
+        arguments->P_z[i] = arguments->P_z[0];
+    }
+}
+
+/// Embree's own holes do not exist in the topology either: faces around them end in a boundary, and
+/// the surface is another than USD's. So they stay in the topology, coarse and collapsed.
+void SetHoles(RTCGeometry geometry, const cc::ControlMesh& mesh, float rate,
+              std::vector<bool>* isHole) {
+    isHole->assign(mesh.faceVertexCounts.size(), false);
+    for (const int hole : mesh.holeIndices) {
+        (*isHole)[hole] = true;
+    }
+    auto* levels = NewBuffer<float>(geometry, RTC_BUFFER_TYPE_LEVEL, RTC_FORMAT_FLOAT,
+                                    mesh.faceVertexIndices.size());
+    for (size_t face = 0; face < isHole->size(); ++face) {
+        const int corners = mesh.faceVertexCounts[face];
+        levels = std::fill_n(levels, corners, (*isHole)[face] ? 1.0f : rate);
+    }
+    rtcSetGeometryUserData(geometry, isHole);
+    rtcSetGeometryDisplacementFunction(geometry, CollapseHoles);
+}
+
 void SetPoints(RTCGeometry geometry, const cc::AffineTransform& objectToWorld,
                const std::vector<cc::Vec3f>& points) {
     auto* to =
@@ -130,6 +162,7 @@ void EmbreeScene::_Release() {
         rtcReleaseGeometry(geometry);
     }
     _geometries.clear();
+    _isHole.clear();
     if (_scene) {
         rtcReleaseScene(_scene);
         rtcReleaseDevice(_device);
@@ -207,11 +240,15 @@ void EmbreeScene::_AddSubdivision(const BenchMesh& mesh) {
                            topology.faceVertexCounts);
     CopyToBuffer<uint32_t>(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT,
                            topology.faceVertexIndices);
-    CopyToBuffer<uint32_t>(geometry, RTC_BUFFER_TYPE_HOLE, RTC_FORMAT_UINT, topology.holeIndices);
     SetCreases(geometry, topology);
     SetPoints(geometry, mesh.objectToWorld, mesh.points);
     rtcSetGeometrySubdivisionMode(geometry, 0, ModeOf(topology));
-    rtcSetGeometryTessellationRate(geometry, static_cast<float>(1 << _level));
+    const float rate = static_cast<float>(1 << _level);
+    rtcSetGeometryTessellationRate(geometry, rate);
+    if (!topology.holeIndices.empty()) {
+        _isHole.emplace_back();
+        SetHoles(geometry, topology, rate, &_isHole.back());
+    }
     _Attach(geometry);
 }
 

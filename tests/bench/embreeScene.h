@@ -3,6 +3,7 @@
 #include <embree3/rtcore.h>
 
 #include <atomic>
+#include <deque>
 #include <string>
 #include <vector>
 
@@ -59,5 +60,7 @@ class EmbreeScene {
     RTCDevice _device = nullptr;
     RTCScene _scene = nullptr;
     std::vector<RTCGeometry> _geometries;
+    /// Of each mesh with holes in the subdivision mode, which faces they are.
+    std::deque<std::vector<bool>> _isHole;
     std::atomic<size_t> _bytes{0}, _peakBytes{0};
 };
