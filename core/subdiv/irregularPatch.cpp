@@ -16,7 +16,10 @@ VertexRing GatherRing(const PatchTable& patches, uint32_t index, const Vec3f* va
         ring.diagonals.push_back(values[*points++]);
     }
     if (!stored.isClosed) {
-        ring.edges.push_back(values[*points]);
+        ring.edges.push_back(values[*points++]);
+    }
+    for (int i = 0; i < stored.outsideNeighborCount; ++i) {
+        ring.edges.push_back(values[*points++]);
     }
     return ring;
 }

@@ -192,9 +192,11 @@ float SharpnessOf(const TopologyLevel& level, Index edge) {
 /// Walks around a vertex between barriers: sharp edges beyond which nothing shapes this side.
 class CornerRingGatherer {
   public:
-    CornerRingGatherer(const TopologyLevel& level, Index vertex, CornerRing* ring)
+    CornerRingGatherer(const TopologyLevel& level, Index vertex, float vertexSharpness,
+                       CornerRing* ring)
         : _level(level),
           _vertex(vertex),
+          _vertexSharpness(vertexSharpness),
           _faceCount(level.GetVertexFaces(vertex).size()),
           _ring(*ring) {
         for (Index edge : level.GetVertexEdges(vertex)) {
@@ -213,17 +215,12 @@ class CornerRingGatherer {
         }
         _ring = CornerRing();
         _ring.tags.isClosed = !_IsBarrier(at.edge);
-        _ring.tags.vertexSharpness = _level.GetVertexSharpness(_vertex);
+        _ring.tags.vertexSharpness = _vertexSharpness;
         _ring.vertices.push_back(_vertex);
         if (!_Collect(at)) {
             return false;
         }
-        for (Index edge : _level.GetVertexEdges(_vertex)) {
-            const float sharpness = SharpnessOf(_level, edge);
-            if (sharpness > 0 && std::find(_edges.begin(), _edges.end(), edge) == _edges.end()) {
-                _ring.tags.outsideSharpness.push_back(sharpness);
-            }
-        }
+        _CollectOutside();
         return true;
     }
 
@@ -233,7 +230,7 @@ class CornerRingGatherer {
         Index face, edge;
     };
 
-    /// A single sharp edge is a dart's, and the surface closes around it.
+    /// A single sharp edge of two faces is a dart's, and the surface closes around it.
     bool _IsBarrier(Index edge) const {
         return IsSharp(_level, edge) &&
                (_sharpEdgeCount > 1 || _level.GetEdgeFaces(edge).size() != 2);
@@ -280,6 +277,27 @@ class CornerRingGatherer {
         return false;
     }
 
+    /// Notes sharp edges that the walk did not meet, and the ends of those that a crease may have.
+    void _CollectOutside() {
+        const bool isFoldedBack = !_ring.tags.isClosed && _edges.front() == _edges.back();
+        const size_t lacking = _ring.tags.isClosed ? 2 : isFoldedBack ? 1 : 0;
+        std::vector<int> neighbors;
+        std::sort(_edges.begin(), _edges.end());
+        for (Index edge : _level.GetVertexEdges(_vertex)) {
+            const float sharpness = SharpnessOf(_level, edge);
+            if (sharpness > 0 && !std::binary_search(_edges.begin(), _edges.end(), edge)) {
+                _ring.tags.outsideSharpness.push_back(sharpness);
+                if (Crease::IsInfinite(sharpness)) {
+                    neighbors.push_back(_OtherEnd(edge));
+                }
+            }
+        }
+        if (neighbors.size() == lacking) {
+            _ring.tags.outsideNeighborCount = static_cast<int>(lacking);
+            _ring.vertices.insert(_ring.vertices.end(), neighbors.begin(), neighbors.end());
+        }
+    }
+
     /// Notes a face and moves on to its edge further counterclockwise.
     bool _AddFace(int sides, Place* at) {
         const ConstIndexArray vertices = _level.GetFaceVertices(at->face);
@@ -299,14 +317,19 @@ class CornerRingGatherer {
     }
 
     void _AddEdge(Index edge) {
-        const ConstIndexArray ends = _level.GetEdgeVertices(edge);
         _edges.push_back(edge);
-        _ring.vertices.push_back(ends[0] == _vertex ? ends[1] : ends[0]);
+        _ring.vertices.push_back(_OtherEnd(edge));
         _ring.tags.edgeSharpness.push_back(SharpnessOf(_level, edge));
+    }
+
+    Index _OtherEnd(Index edge) const {
+        const ConstIndexArray ends = _level.GetEdgeVertices(edge);
+        return ends[0] == _vertex ? ends[1] : ends[0];
     }
 
     const TopologyLevel& _level;
     const Index _vertex;
+    const float _vertexSharpness;
     const int _faceCount;
     int _sharpEdgeCount = 0;
     CornerRing& _ring;
@@ -315,8 +338,9 @@ class CornerRingGatherer {
 
 }  // namespace
 
-bool GatherCornerRing(const TopologyLevel& level, int vertex, int face, CornerRing* ring) {
-    return CornerRingGatherer(level, vertex, ring).Gather(face);
+bool GatherCornerRing(const TopologyLevel& level, int vertex, float vertexSharpness, int face,
+                      CornerRing* ring) {
+    return CornerRingGatherer(level, vertex, vertexSharpness, ring).Gather(face);
 }
 
 void GatherOneRing(const TopologyLevel& level, int face, OneRing* ring) {

@@ -44,7 +44,8 @@ void GatherOneRing(const OpenSubdiv::Far::TopologyLevel& level, int face, OneRin
 
 /// A ring (RingTags) as vertices of the level. All its faces have as many sides, three or four.
 struct CornerRing {
-    /// The vertex, then its edge neighbours; between those, among quads, the face diagonals.
+    /// The vertex, then its edge neighbours; between those, among quads, the face diagonals; at the
+    /// end the neighbours outside.
     std::vector<int> vertices;
     std::vector<int> faces;  ///< in the order of the walk around the vertex
     RingTags tags;
@@ -52,7 +53,8 @@ struct CornerRing {
 
 /// Gathers the side of a vertex that a face is on. Returns false if a face there has another number
 /// of sides than this one, or if the faces do not form a fan.
-bool GatherCornerRing(const OpenSubdiv::Far::TopologyLevel& level, int vertex, int face,
-                      CornerRing* ring);
+/// @param vertexSharpness  of the vertex (RefinementLevel::VertexSharpness)
+bool GatherCornerRing(const OpenSubdiv::Far::TopologyLevel& level, int vertex,
+                      float vertexSharpness, int face, CornerRing* ring);
 
 }  // namespace cc

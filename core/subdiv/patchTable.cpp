@@ -25,6 +25,7 @@ RingTags PatchTable::TagsOf(const PatchRing& ring) const {
     tags.outsideSharpness.assign(outside, outside + ring.outsideCount);
     tags.vertexSharpness = ring.vertexSharpness;
     tags.isClosed = ring.isClosed;
+    tags.outsideNeighborCount = ring.outsideNeighborCount;
     tags.decay = _decay;
     return tags;
 }

@@ -44,14 +44,15 @@ struct Patch {
 
 /// A vertex with the faces and tags that shape one side of it (RingTags), shared by the irregular
 /// patches around the vertex. Its points are the vertex, then its edge neighbours, and among quads
-/// the face diagonals between those; its sharpnesses are those of the edges, then outsideCount
-/// others.
+/// the face diagonals between those, then the neighbours outside; its sharpnesses are those of the
+/// edges, then outsideCount others.
 struct PatchRing {
     uint32_t firstIndex;
     uint32_t firstSharpness;
     uint32_t faceCount;
     uint16_t outsideCount;
     bool isClosed;
+    uint8_t outsideNeighborCount;
     float vertexSharpness;
 };
 

@@ -237,6 +237,9 @@ RefinementLevel::RefinementLevel(const ControlMesh& mesh, size_t pointCount, std
         // Without boundary interpolation OpenSubdiv drops the faces along the boundary.
         _origins[face].isVisible = _origins[face].isVisible && !Topology().IsFaceHole(face);
     }
+    for (int vertex = 0; vertex < Topology().GetNumVertices(); ++vertex) {
+        _vertexSharpness.push_back(Topology().GetVertexSharpness(vertex));
+    }
     _patchPoints.resize(pointCount);
     for (size_t i = 0; i < pointCount; ++i) {
         _patchPoints[i] = static_cast<uint32_t>(i);
@@ -292,6 +295,7 @@ RefinementLevel::RefinementLevel(RefinementLevel* parent, const std::vector<int>
         }
     }
     for (int vertex = 0; vertex < fine.GetNumVertices(); ++vertex) {
+        _vertexSharpness.push_back(fine.GetVertexSharpness(vertex));
         if (fine.GetVertexSharpness(vertex) > 0) {
             description.AddCorner(vertex, fine.GetVertexSharpness(vertex));
         }

@@ -39,6 +39,10 @@ class RefinementLevel {
     OpenSubdiv::Far::TopologyLevel Topology() const { return _refiner->GetLevel(0); }
     int FaceCount() const { return static_cast<int>(_origins.size()); }
     const FaceOrigin& Origin(int face) const { return _origins[face]; }
+    /// The sharpness of a vertex by OpenSubdiv's refinement. Topology makes more vertices sharp
+    /// than that, since it takes the level for a cage: those on an edge whose two faces disagree
+    /// about its direction, which is no manifold but is refined to a crease.
+    float VertexSharpness(int vertex) const { return _vertexSharpness[vertex]; }
 
     /// The patch point of a vertex, added to the table when it is first asked for.
     uint32_t PatchPoint(int vertex, PatchTable* table);
@@ -61,6 +65,7 @@ class RefinementLevel {
     std::vector<FaceOrigin> _origins;
     /// Of the cage's faces that lost corners: which they kept.
     std::map<int, std::vector<int>> _keptCorners;
+    std::vector<float> _vertexSharpness;
     /// Above the cage: how a vertex comes from the parent's.
     std::vector<MaskRow> _rows;
     std::vector<uint32_t> _patchPoints;

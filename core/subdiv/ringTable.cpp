@@ -9,7 +9,8 @@ bool RingTable::Find(int vertex, int face, RingPlace* place) {
         return true;
     }
     CornerRing ring;
-    if (!GatherCornerRing(_level->Topology(), vertex, face, &ring)) {
+    if (!GatherCornerRing(_level->Topology(), vertex, _level->VertexSharpness(vertex), face,
+                          &ring)) {
         return false;
     }
     *place = Add(ring, face);
@@ -31,6 +32,7 @@ RingPlace RingTable::Add(const CornerRing& ring, int face) {
     stored.faceCount = static_cast<uint32_t>(ring.faces.size());
     stored.outsideCount = static_cast<uint16_t>(tags.outsideSharpness.size());
     stored.isClosed = tags.isClosed;
+    stored.outsideNeighborCount = static_cast<uint8_t>(tags.outsideNeighborCount);
     stored.vertexSharpness = tags.vertexSharpness;
     std::vector<float> sharpnesses(tags.edgeSharpness.begin(), tags.edgeSharpness.end());
     sharpnesses.insert(sharpnesses.end(), tags.outsideSharpness.begin(),

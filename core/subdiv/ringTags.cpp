@@ -28,8 +28,10 @@ RingTags::Rule RingTags::VertexRule() const {
     if (vertexSharpness > 0) {
         return Rule::Corner;
     }
+    // With one neighbour outside, the ring's first edge is its last.
     const auto sharp = std::count_if(edgeSharpness.begin(), edgeSharpness.end(), IsSharp) +
-                       std::count_if(outsideSharpness.begin(), outsideSharpness.end(), IsSharp);
+                       std::count_if(outsideSharpness.begin(), outsideSharpness.end(), IsSharp) -
+                       (outsideNeighborCount == 1 ? 1 : 0);
     return sharp > 2 ? Rule::Corner : sharp == 2 ? Rule::Crease : Rule::Smooth;
 }
 
@@ -40,7 +42,7 @@ bool RingTags::IsSettled() const {
 }
 
 bool RingTags::IsSmooth() const {
-    return isClosed && vertexSharpness <= 0 &&
+    return isClosed && VertexRule() == Rule::Smooth &&
            std::none_of(edgeSharpness.begin(), edgeSharpness.end(), IsSharp);
 }
 
@@ -58,7 +60,8 @@ bool RingTags::IsRegular(int smoothFaceCount) const {
     }
     switch (VertexRule()) {
         case Rule::Smooth: return FaceCount() == smoothFaceCount;
-        case Rule::Crease: return FaceCount() == smoothFaceCount / 2;
+        case Rule::Crease:
+            return FaceCount() == smoothFaceCount / 2 && outsideNeighborCount == 0;
         case Rule::Corner: return FaceCount() == 1;
     }
     return false;
@@ -79,6 +82,7 @@ RingTags RingTags::Decayed() const {
     }
     RingTags decayed;
     decayed.isClosed = isClosed;
+    decayed.outsideNeighborCount = outsideNeighborCount;
     decayed.decay = decay;
     for (float s : edgeSharpness) {
         decayed.edgeSharpness.push_back(DecayByNeighbors(s, sum, count));
@@ -110,9 +114,11 @@ float RingTags::FractionalWeight(const RingTags& decayed) const {
 }
 
 void RingTags::CreaseEdges(int edges[2]) const {
-    edges[0] = 0;
-    edges[1] = static_cast<int>(edgeSharpness.size()) - 1;
-    if (!isClosed) {
+    // What is outside comes last.
+    const int last = NeighborCount() - 1;
+    edges[0] = isClosed ? last - 1 : 0;
+    edges[1] = last;
+    if (!isClosed || outsideNeighborCount == 2) {
         return;
     }
     int found = 0;

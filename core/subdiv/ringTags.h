@@ -25,6 +25,11 @@ struct RingTags {
     Sharpnesses edgeSharpness;  ///< one a face if closed, one more if open
     /// Sharpness of the vertex's edges that are not in an open ring, where it is above 0.
     InlineVector<float, 2> outsideSharpness;
+    /// Where the vertex may lie on a crease that the ring does not have whole, the number of that
+    /// crease's edges outside. Their far ends follow the ring's own edge neighbours. One if an open
+    /// ring begins and ends with the same edge, which has three or more faces; two if a closed ring
+    /// only touches the crease.
+    int outsideNeighborCount = 0;
     float vertexSharpness = 0;
     bool isClosed = true;
     SharpnessDecay decay = SharpnessDecay::Uniform;
@@ -34,8 +39,15 @@ struct RingTags {
     int FaceCount() const { return static_cast<int>(edgeSharpness.size()) - (isClosed ? 0 : 1); }
     /// Index of an edge, wrapped around in a closed ring.
     int Wrap(int edge) const { return isClosed ? (edge + 2 * FaceCount()) % FaceCount() : edge; }
-    /// True for the first and last edge of an open ring.
-    bool IsEnd(int edge) const { return !isClosed && (edge == 0 || edge == FaceCount()); }
+    /// Edge neighbours of the ring, with those outside.
+    int NeighborCount() const {
+        return static_cast<int>(edgeSharpness.size()) + outsideNeighborCount;
+    }
+    /// True for the first and last edge of an open ring, and for those outside.
+    bool IsEnd(int edge) const {
+        const int last = static_cast<int>(edgeSharpness.size()) - 1;
+        return edge > last || (!isClosed && (edge == 0 || edge == last));
+    }
 
     Rule VertexRule() const;
     /// True if every tag has settled: what is sharp is so for ever.
@@ -44,6 +56,10 @@ struct RingTags {
     bool IsSmooth() const;
     /// True at the end of a crease: a vertex that is smooth itself, with one sharp edge.
     bool IsDart() const;
+    /// True if the vertex lies on a crease that the ring does not have whole.
+    bool IsOnOutsideCrease() const {
+        return outsideNeighborCount > 0 && VertexRule() == Rule::Crease;
+    }
     /// True if the surface at the vertex is the scheme's spline: a smooth vertex of so many faces,
     /// half of them along a boundary or crease, or one face in a corner.
     bool IsRegular(int smoothFaceCount) const;
@@ -54,7 +70,7 @@ struct RingTags {
     /// below 1 that vanish.
     float FractionalWeight(const RingTags& decayed) const;
 
-    /// The two edges along the crease of a vertex that follows its rule.
+    /// The two edge neighbours along the crease of a vertex that follows its rule.
     void CreaseEdges(int edges[2]) const;
 };
 

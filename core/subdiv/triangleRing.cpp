@@ -113,7 +113,8 @@ Vec3f TriangleRing::LimitPosition() const {
 
 bool TriangleRing::LimitTangents(int face, Vec3f* towardsEdge, Vec3f* towardsNextEdge) const {
     const Rule rule = VertexRule();
-    if (!IsSettled() || IsDart() || (rule == Rule::Crease && FaceCount() < 2)) {
+    if (!IsSettled() || IsDart() || (rule == Rule::Crease && FaceCount() < 2) ||
+        IsOnOutsideCrease()) {
         return false;
     }
     Vec3f* const tangents[2] = {towardsEdge, towardsNextEdge};
@@ -164,7 +165,7 @@ TriangleRing GatherTriangleRing(const PatchTable& patches, uint32_t ring, const 
     TriangleRing result;
     static_cast<RingTags&>(result) = patches.TagsOf(stored);
     result.center = values[*points++];
-    for (size_t edge = 0; edge < result.edgeSharpness.size(); ++edge) {
+    for (int edge = 0; edge < result.NeighborCount(); ++edge) {
         result.edges.push_back(values[*points++]);
     }
     return result;

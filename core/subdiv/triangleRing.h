@@ -11,7 +11,7 @@ namespace cc {
 /// (Hoppe et al. 1994).
 struct TriangleRing : RingTags {
     Vec3f center;
-    InlineVector<Vec3f, kInlineEdges> edges;  ///< one a face if closed, one more if open
+    InlineVector<Vec3f, kInlineEdges> edges;  ///< NeighborCount
 
     /// True if the surface at the vertex is a quartic box spline.
     bool IsRegular() const { return RingTags::IsRegular(6); }
@@ -29,7 +29,8 @@ struct TriangleRing : RingTags {
     /// Tangents of the surface at the settled vertex, of arbitrary length, towards the two edges of
     /// a face; their cross product points along the outward normal. In a corner of several faces
     /// they are the face's own edges, as OpenSubdiv has it. Returns false if no mask is known: at a
-    /// dart, or where a smooth boundary has a single face.
+    /// dart, on a crease that the ring does not have whole, or where a smooth boundary has a
+    /// single face.
     bool LimitTangents(int face, Vec3f* towardsEdge, Vec3f* towardsNextEdge) const;
 
     /// Moves all points.

@@ -91,7 +91,8 @@ Vec3f VertexRing::LimitPosition() const {
 
 bool VertexRing::LimitTangents(int face, Vec3f* towardsEdge, Vec3f* towardsNextEdge) const {
     const Rule rule = VertexRule();
-    if (!IsSettled() || IsDart() || (rule == Rule::Crease && FaceCount() < 2)) {
+    if (!IsSettled() || IsDart() || (rule == Rule::Crease && FaceCount() < 2) ||
+        IsOnOutsideCrease()) {
         return false;
     }
     Vec3f* const tangents[2] = {towardsEdge, towardsNextEdge};

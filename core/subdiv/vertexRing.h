@@ -12,7 +12,7 @@ struct VertexRing : RingTags {
     using Diagonals = InlineVector<Vec3f, kInlineEdges - 1>;
 
     Vec3f center;
-    InlineVector<Vec3f, kInlineEdges> edges;  ///< one a face if closed, one more if open
+    InlineVector<Vec3f, kInlineEdges> edges;  ///< NeighborCount
     Diagonals diagonals;                      ///< one a face
 
     /// True if the surface at the vertex is a bicubic B-spline.
@@ -27,8 +27,8 @@ struct VertexRing : RingTags {
     /// Tangents of the surface at the settled vertex, of arbitrary length, towards the two edges of
     /// a face; their cross product points along the outward normal. Where the surface has a kink
     /// in the face's side, as in a corner of several faces, they are the face's own edges, as
-    /// OpenSubdiv has it. Returns false if no mask is known: at a dart, or where a smooth boundary
-    /// has a single face.
+    /// OpenSubdiv has it. Returns false if no mask is known: at a dart, on a crease
+    /// that the ring does not have whole, or where a smooth boundary has a single face.
     bool LimitTangents(int face, Vec3f* towardsEdge, Vec3f* towardsNextEdge) const;
 
     /// Moves all points.

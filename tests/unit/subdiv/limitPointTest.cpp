@@ -11,18 +11,27 @@ namespace {
 
 class LimitPointTest : public testing::TestWithParam<Cage> {};
 
-TEST_P(LimitPointTest, AgreesWithOpenSubdiv) {
-    const SurfaceDifference difference = CompareWithOracle(GetParam());
+void ExpectWithinTolerance(const SurfaceDifference& difference) {
     EXPECT_EQ(difference.error, "");
     EXPECT_GT(difference.sampleCount, 0);
     EXPECT_LT(difference.position, kPositionTolerance) << difference.worstPosition;
+    EXPECT_LT(difference.primvar, kPositionTolerance) << difference.worstPrimvar;
     EXPECT_LT(difference.normal, kNormalTolerance) << difference.worstNormal;
 }
 
-TEST(LimitPoint, AgreesWithRefinementWhereTheOracleContradictsIt) {
+TEST_P(LimitPointTest, AgreesWithBfr) {
+    ExpectWithinTolerance(CompareWithOracle(GetParam(), OracleKind::Bfr));
+}
+
+TEST_P(LimitPointTest, AgreesWithFar) {
+    ExpectWithinTolerance(CompareWithOracle(GetParam(), OracleKind::Far));
+}
+
+TEST(LimitPoint, AgreesWithFarWhereBfrContradictsIt) {
     for (const Cage& cage : KnownDifferences()) {
-        EXPECT_FALSE(CompareWithOracle(cage).IsWithinTolerance()) << cage.name;
-        EXPECT_LT(DifferenceFromRefinement(cage), kPositionTolerance) << cage.name;
+        SCOPED_TRACE(cage.name);
+        EXPECT_FALSE(CompareWithOracle(cage, OracleKind::Bfr).IsWithinTolerance());
+        ExpectWithinTolerance(CompareWithOracle(cage, OracleKind::Far));
     }
 }
 

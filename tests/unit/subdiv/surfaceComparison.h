@@ -14,23 +14,23 @@ constexpr double kNormalTolerance = 0.05;
 struct SurfaceDifference {
     /// Why they cannot be compared: no patches, or patches where the other has no surface.
     std::string error;
-    double position = 0;                     ///< in parts of the mesh's diagonal
-    double normal = 0;                       ///< in degrees
-    std::string worstPosition, worstNormal;  ///< where
+    double position = 0;  ///< in parts of the mesh's diagonal
+    double primvar = 0;   ///< of a vertex primvar, in parts of its range
+    double normal = 0;    ///< in degrees
+    std::string worstPosition, worstPrimvar, worstNormal;  ///< where
     int sampleCount = 0;
 
     bool IsWithinTolerance() const {
-        return error.empty() && position < kPositionTolerance && normal < kNormalTolerance;
+        return error.empty() && position < kPositionTolerance && primvar < kPositionTolerance &&
+               normal < kNormalTolerance;
     }
 };
 
-/// Compares our limit surface of a cage with OpenSubdiv's, in each patch at random parameters,
-/// along its edges and at its corners.
-SurfaceDifference CompareWithOracle(Cage cage);
+/// Which of OpenSubdiv's evaluators (LimitOracle).
+enum class OracleKind { Bfr, Far };
 
-/// Compares with a third opinion, for cages on which OpenSubdiv's evaluator contradicts its own
-/// refinement: positions only, with the limits of uniformly refined vertices, of which one must lie
-/// at each of a grid of points of each patch. Returns the largest distance in diagonals.
-double DifferenceFromRefinement(Cage cage);
+/// Compares our limit surface of a cage with OpenSubdiv's, in each patch at random parameters,
+/// along its edges and, with Far, at its corners.
+SurfaceDifference CompareWithOracle(Cage cage, OracleKind kind);
 
 }  // namespace cc::test
