@@ -49,7 +49,7 @@ std::string TestName(const testing::TestParamInfo<Cage>& info);
 /// and odd topology make of them.
 std::vector<Cage> Catalogue();
 
-/// Cages on which the oracle contradicts itself, each with the reason.
+/// Cages on which Bfr contradicts Far, each with the reason.
 std::vector<Cage> KnownDifferences();
 
 }  // namespace cc::test

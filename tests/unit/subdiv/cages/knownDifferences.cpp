@@ -22,8 +22,49 @@ Cage TetrahedronWithFin() {
     return cage;
 }
 
+/// Around vertex 0 there is a crease of two edges with three faces each. Of both edges hangs a
+/// closed fan that has one of them only, and Bfr looks for the other within it.
+Cage CreaseWithTubes() {
+    return FromFaces("tubes on a crease", {{0, 1, 3, 2},
+                                           {0, 2, 4, 5},
+                                           {0, 6, 7, 1},
+                                           {8, 9, 11, 10},
+                                           {0, 1, 9, 8},
+                                           {6, 10, 11, 7},
+                                           {0, 8, 10, 6},
+                                           {1, 7, 11, 9},
+                                           {5, 12, 13, 0},
+                                           {14, 15, 17, 16},
+                                           {5, 0, 15, 14},
+                                           {12, 16, 17, 13},
+                                           {5, 14, 16, 12},
+                                           {0, 13, 17, 15}});
+}
+
+/// As above, but the closed fan only touches the crease in a vertex, and Bfr does not see the
+/// crease from it.
+Cage CreaseWithTouchingFan() {
+    return FromFaces("crease that a fan touches", {{4, 5, 7, 6},
+                                                   {0, 1, 5, 4},
+                                                   {2, 6, 7, 4},
+                                                   {0, 4, 6, 2},
+                                                   {1, 4, 7, 5},
+                                                   {0, 2, 8},
+                                                   {2, 4, 8},
+                                                   {4, 1, 8},
+                                                   {1, 0, 8},
+                                                   {4, 5, 7, 6}});
+}
+
 }  // namespace
 
-std::vector<Cage> KnownDifferences() { return {ThreeChaikinCreases(), TetrahedronWithFin()}; }
+std::vector<Cage> KnownDifferences() {
+    return {ThreeChaikinCreases(),
+            TetrahedronWithFin(),
+            CreaseWithTubes(),
+            WithCrease(CreaseWithTubes(), {0, 6}, 0.7f, "tubes with a crease of 0.7"),
+            CreaseWithTouchingFan(),
+            WithCorner(CreaseWithTouchingFan(), 4, 1.5f, "touched crease, corner of 1.5")};
+}
 
 }  // namespace cc::test
