@@ -60,8 +60,7 @@ bool RingTags::IsRegular(int smoothFaceCount) const {
     }
     switch (VertexRule()) {
         case Rule::Smooth: return FaceCount() == smoothFaceCount;
-        case Rule::Crease:
-            return FaceCount() == smoothFaceCount / 2 && outsideNeighborCount == 0;
+        case Rule::Crease: return FaceCount() == smoothFaceCount / 2 && outsideNeighborCount == 0;
         case Rule::Corner: return FaceCount() == 1;
     }
     return false;

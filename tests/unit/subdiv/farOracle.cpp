@@ -61,6 +61,7 @@ struct Ring {
 /// A mesh's rules without its faces.
 ControlMesh RulesOf(const ControlMesh& mesh) {
     ControlMesh rules;
+    rules.scheme = mesh.scheme;
     rules.creaseRule = mesh.creaseRule;
     rules.triangleRule = mesh.triangleRule;
     return rules;
@@ -195,9 +196,14 @@ class FarOracle : public LimitOracle {
         if (!_map || face < 0) {
             return nullptr;
         }
-        const bool isQuad = _topology.Refiner()->GetLevel(0).GetFaceVertices(face).size() == 4;
-        const int corner = isQuad ? 0 : _topology.Corner(at.face, at.corner);
+        const int corner = _IsWhole(face) ? 0 : _topology.Corner(at.face, at.corner);
         return _map->FindPatch(_ptex->GetFaceId(face) + corner, at.u, at.v);
+    }
+
+    /// True if parameters are of the face and not of sub-quads.
+    bool _IsWhole(Far::Index face) const {
+        return _topology.Refiner()->GetLevel(0).GetFaceVertices(face).size() ==
+               (_rules.scheme == Scheme::Loop ? 3 : 4);
     }
 
     /// The corner of a face that a place is at. No vertex if it is none.
@@ -205,12 +211,13 @@ class FarOracle : public LimitOracle {
         const Far::Index face = _topology.Face(at.face);
         const Far::ConstIndexArray vertices =
             _topology.Refiner()->GetLevel(0).GetFaceVertices(face);
-        if (vertices.size() != 4) {
+        if (!_IsWhole(face)) {
             const bool isCorner = at.u == 0 && at.v == 0;
             return {face, isCorner ? vertices[_topology.Corner(at.face, at.corner)] : -1};
         }
         const bool isCorner = (at.u == 0 || at.u == 1) && (at.v == 0 || at.v == 1);
-        const int corner = at.u == 0 ? (at.v == 0 ? 0 : 3) : (at.v == 0 ? 1 : 2);
+        const int last = vertices.size() - 1;
+        const int corner = at.u == 0 ? (at.v == 0 ? 0 : last) : (at.v == 0 ? 1 : 2);
         return {face, isCorner ? vertices[corner] : -1};
     }
 
