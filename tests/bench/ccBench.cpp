@@ -11,6 +11,7 @@
 //     load-rays FILE
 //     trace TRACER LEVEL SET THREADS     SET is a name such as primary
 //     texture TRACER LEVEL SET THREADS   as trace, and texture coordinates at the hits
+//     compare TRACER LEVEL SET           nearest hits that differ from those of packet
 //     memory                             what the structures hold
 
 #include <cstdio>
@@ -102,6 +103,16 @@ class Bench {
             .Count("active_lanes", s.activeLanes);
     }
 
+    Answer Compare(const Words& words) {
+        const cc::TracerKind kind = TracerKindOfName(WordAt(words, 0));
+        const int level = NumberAt(words, 1, 0, 8);
+        _RequireScene();
+        const HitDifferences found =
+            CompareHits(_built->Scene(), _TracerFor(cc::TracerKind::Packet, level),
+                        _TracerFor(kind, level), _SetOfName(WordAt(words, 2)));
+        return Answer().Count("hits", found.hits).Count("distances", found.distances);
+    }
+
     Answer Memory() const {
         _RequireScene();
         const cc::Scene::Statistics statistics = _built->Scene().GetStatistics();
@@ -163,6 +174,7 @@ void Serve(const std::string& path) {
         {"trace", [&](const Words& words) { return bench.Trace(words, HitValues::None); }},
         {"texture",
          [&](const Words& words) { return bench.Trace(words, HitValues::TextureCoordinates); }},
+        {"compare", [&](const Words& words) { return bench.Compare(words); }},
         {"memory", [&](const Words&) { return bench.Memory(); }},
     });
 }

@@ -1,5 +1,6 @@
 #include "tracing.h"
 
+#include <cmath>
 #include <map>
 #include <memory>
 #include <stdexcept>
@@ -105,6 +106,34 @@ TraceRun TraceRays(const cc::Scene& scene, const cc::Tracer& tracer, const RaySe
         *statistics += worker->statistics;
     }
     return run;
+}
+
+HitDifferences CompareHits(const cc::Scene& scene, const cc::Tracer& a, const cc::Tracer& b,
+                           const RaySet& set) {
+    constexpr float kSameDistance = 1e-3f;
+    HitDifferences found;
+    cc::TraceStatistics statistics;
+    cc::RayPacket rays[2];
+    cc::HitPacket hits[2];
+    const Ray* next = set.rays.data();
+    for (const uint8_t count : set.packetSizes) {
+        const cc::Tracer* tracers[2] = {&a, &b};
+        for (int k = 0; k < 2; ++k) {
+            FillPacket(next, count, &rays[k]);
+            tracers[k]->Intersect(scene.Instances(), &rays[k], &hits[k], &statistics);
+        }
+        for (int i = 0; i < count; ++i) {
+            const bool isHit = hits[0].instance[i] != cc::kNoHit;
+            const float t = rays[0].tMax[i];
+            if (isHit != (hits[1].instance[i] != cc::kNoHit)) {
+                ++found.hits;
+            } else if (isHit && std::abs(t - rays[1].tMax[i]) > kSameDistance * std::abs(t)) {
+                ++found.distances;
+            }
+        }
+        next += count;
+    }
+    return found;
 }
 
 cc::TracerKind TracerKindOfName(const std::string& name) {

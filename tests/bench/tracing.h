@@ -21,5 +21,15 @@ enum class HitValues {
 TraceRun TraceRays(const cc::Scene& scene, const cc::Tracer& tracer, const RaySet& set, int threads,
                    HitValues values, cc::TraceStatistics* statistics);
 
+/// How two tracers' nearest hits of the same rays differ.
+struct HitDifferences {
+    /// Rays that only one of them has hit.
+    uint64_t hits = 0;
+    /// Rays that both have hit, at distances that differ by more than a thousandth.
+    uint64_t distances = 0;
+};
+HitDifferences CompareHits(const cc::Scene& scene, const cc::Tracer& a, const cc::Tracer& b,
+                           const RaySet& set);
+
 /// The kind that a name such as packet means. Throws std::runtime_error for a name that is none.
 cc::TracerKind TracerKindOfName(const std::string& name);

@@ -48,6 +48,12 @@ def _paper(suite: str, key: str) -> Callable[[Row], str]:
     return lambda row: bench_paper.figure(suite, row, key)
 
 
+def _differences(row: Row) -> str:
+    """Rays that only one tracer hits, and those that it hits elsewhere."""
+    found = row.get("differences")
+    return f"{found['hits']} + {found['distances']}" if found else "-"
+
+
 SCENE: Columns = {"scene": lambda row: row["scene"]}
 BASICS: Columns = {
     **SCENE,
@@ -86,6 +92,7 @@ TABLE2: Columns = {
     **FRAME,
     **FASTER,
     "(paper)": _paper("table2", "ratio"),
+    "other hits": _differences,
     "bytes a face": _number("bytes.per_face", "{:.0f}"),
 }
 TABLE3: Columns = {
@@ -114,6 +121,7 @@ TABLE7: Columns = {
     **PRIMARY,
     **FASTER,
     "(paper)": _paper("table7", "ratio"),
+    "other hits": _differences,
     "MB": _megabytes("bytes.structures"),
     "build s": _number("seconds.build", "{:.3f}"),
 }

@@ -43,7 +43,11 @@ def _compare(
     contenders += [own.tracer(name, level, "texture") for name in textures]
     bench_measure.take_turns(contenders, sets, options.runs, own.threads)
     bench_measure.check_same_hits(own.scene.name, contenders, sets)
-    return [bench_measure.make_row(own, level, each, contenders[0], sets) for each in contenders]
+    rows = [bench_measure.make_row(own, level, each, contenders[0], sets) for each in contenders]
+    for name, row in zip(tracers, rows):
+        found = own.program.ask("compare", name, level, "primary")
+        row["differences"] = {"hits": found["hits"], "distances": found["distances"]}
+    return rows
 
 
 def _run_table(
