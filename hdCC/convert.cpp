@@ -44,6 +44,8 @@ bool HdCCToVec3fs(VtValue const &value, std::vector<cc::Vec3f> *result) {
 static bool _ToScheme(TfToken const &token, cc::Scheme *scheme) {
     if (token == "catmullClark") {
         *scheme = cc::Scheme::CatmullClark;
+    } else if (token == "loop") {
+        *scheme = cc::Scheme::Loop;
     } else if (token == "bilinear") {
         *scheme = cc::Scheme::Bilinear;
     } else if (token == "none" || token.IsEmpty()) {

@@ -102,14 +102,36 @@ def test_schemes(scheme: str) -> None:
     assert corner == (-1 if scheme == "catmullClark" else 0)
 
 
-def test_loop_is_left_out_with_a_warning(warnings: Any) -> None:
+def triangulate(mesh: UsdGeom.Mesh) -> None:
+    """Cuts the quads of a mesh in two."""
+    quads = np.array(mesh.GetFaceVertexIndicesAttr().Get()).reshape(-1, 4)
+    triangles = quads[:, [0, 1, 2, 0, 2, 3]].reshape(-1, 3)
+    mesh.GetFaceVertexCountsAttr().Set(Vt.IntArray([3] * len(triangles)))
+    mesh.GetFaceVertexIndicesAttr().Set(Vt.IntArray(triangles.ravel().tolist()))
+
+
+def test_loop_subdivides_triangles(warnings: Any) -> None:
+    stage = make_stage()
+    mesh = add_cube(stage)
+    mesh.CreateSubdivisionSchemeAttr("loop")
+    triangulate(mesh)
+    picture = render(stage)
+    assert warnings.read() == ""
+    assert picture["primId"][9, 9] == -1 and picture["primId"][16, 16] == 0
+    assert set(np.unique(picture["elementId"])) <= set(range(-1, 12))
+    mesh.GetSubdivisionSchemeAttr().Set("catmullClark")
+    other = render(stage)
+    assert not np.allclose(picture["cameraDepth"], other["cameraDepth"], atol=1e-3)
+
+
+def test_loop_leaves_meshes_of_other_faces_out_with_a_warning(warnings: Any) -> None:
     stage = make_stage()
     add_grid(stage, "/A")
     expected = render(stage)
     add_cube(stage, "/Loop").CreateSubdivisionSchemeAttr("loop")
     picture = render(stage)
     said = warnings.read()
-    assert "</Loop>" in said and "'loop'" in said
+    assert "/Loop: 6 of 6 faces are no triangles" in said
     assert_same(picture, expected)
 
 
