@@ -30,7 +30,7 @@ class TriangleBlock {
     /// Evaluates the limit surface at the corners of all triangles.
     /// @param splits  0..kLatticeSplits: the patch becomes 4^splits triangles
     TriangleBlock(const BezierLanes& patch, int splits) {
-        float vertices[3][16];
+        alignas(64) float vertices[3][16];
         const LatticeTable& lattice = BezierTables::Get().lattice[splits];
         Combine(patch, lattice.weights, vertices);
         _count = 1 << (2 * splits);

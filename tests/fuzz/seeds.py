@@ -58,6 +58,33 @@ def sheet(size: int) -> tuple[list[Point], list[Face]]:
     return points, [(a, a + 1, a + size + 2, a + size + 1) for a in corner]
 
 
+def triangulated(faces: list[Face]) -> list[Face]:
+    """Faces cut into triangles from their first corner on."""
+    return [(face[0], face[i - 1], face[i]) for face in faces for i in range(2, len(face))]
+
+
+def loop_seeds() -> dict[str, bytes]:
+    """Triangles under the Loop scheme."""
+    points, quads = sheet(3)
+    triangles = triangulated(quads)
+    cube = triangulated(CUBE_FACES)
+    loop = 4
+    return {
+        "loop": encode(CUBE_POINTS, cube, flags=16 + loop),
+        "loop-sheet": encode(points, triangles, flags=16 + loop, level=3),
+        "loop-edge-only": encode(points, triangles, flags=8 + loop, holes=(5,)),
+        "loop-no-boundary": encode(points, triangles, flags=loop),
+        "loop-creases": encode(
+            CUBE_POINTS, cube, 16 + loop, (((0, 2, 3), 2.5), ((3, 7), 7.9)), ((5, 1.5),)
+        ),
+        "loop-chaikin": encode(CUBE_POINTS, cube, 48 + loop, (((0, 1, 5), 3), ((5, 4), 1))),
+        "loop-darts": encode(points, triangles, 16 + loop, (((5, 6), 7.9), ((9, 10), 0.5))),
+        "loop-fin": encode(CUBE_POINTS, [(0, 1, 2), (1, 0, 4), (0, 1, 7)], flags=16 + loop),
+        "loop-bow-tie": encode(CUBE_POINTS, [(0, 1, 3), (0, 4, 6)], flags=16 + loop),
+        "loop-pillow": encode(CUBE_POINTS, [(0, 1, 3), (3, 1, 0)], flags=144 + loop),
+    }
+
+
 def seeds() -> dict[str, bytes]:
     """Every seed by name."""
     points, faces = sheet(3)
@@ -78,6 +105,7 @@ def seeds() -> dict[str, bytes]:
         "bow-tie": encode(CUBE_POINTS, [(0, 1, 3, 2), (0, 4, 6, 7)]),
         "three-on-an-edge": encode(CUBE_POINTS, [(0, 1, 3, 2), (0, 1, 5, 4), (1, 0, 6, 7)]),
         "collapsed": encode(CUBE_POINTS, [(0, 1, 3, 3), (0, 0, 5, 4), (1, 3, 1, 7)]),
+        **loop_seeds(),
     }
 
 

@@ -49,17 +49,36 @@ class Bytes {
     const uint8_t* const _end;
 };
 
+cc::Scheme SchemeOf(int flags) {
+    switch (flags % 8) {
+        case 4:
+        case 5: return cc::Scheme::Loop;
+        case 6: return cc::Scheme::Bilinear;
+        case 7: return cc::Scheme::None;
+        default: return cc::Scheme::CatmullClark;
+    }
+}
+
+/// How many vertices a face has: under the Loop scheme almost always three, as others end there.
+int ReadFaceSize(Bytes* bytes, cc::Scheme scheme) {
+    if (scheme != cc::Scheme::Loop) {
+        return bytes->Index(8);
+    }
+    const int b = bytes->Byte();
+    return b < 250 ? 3 : b - 250;
+}
+
 cc::ControlMesh ReadMesh(Bytes* bytes, int pointCount) {
     cc::ControlMesh mesh;
     const int flags = bytes->Byte();
-    mesh.scheme = static_cast<cc::Scheme>(flags % 8 < 6 ? 0 : flags % 8 - 5);
+    mesh.scheme = SchemeOf(flags);
     mesh.boundaryRule = static_cast<cc::BoundaryRule>((flags >> 3) % 3);
     mesh.creaseRule = static_cast<cc::CreaseRule>((flags >> 5) & 1);
     mesh.triangleRule = static_cast<cc::TriangleRule>((flags >> 6) & 1);
     mesh.leftHanded = (flags & 128) != 0;
     const int faceCount = bytes->Byte() % 24;
     for (int face = 0; face < faceCount; ++face) {
-        const int count = bytes->Index(8);
+        const int count = ReadFaceSize(bytes, mesh.scheme);
         mesh.faceVertexCounts.push_back(count);
         for (int i = 0; i < count; ++i) {
             mesh.faceVertexIndices.push_back(bytes->Index(pointCount));
@@ -122,6 +141,7 @@ void Trace(const cc::InstanceBvh& instances, const cc::RayPacket& rays, int leve
             const cc::Surface& surface = *instances.Instances()[hits.instance[i]].surface;
             Require(hits.patch[i] < surface.Patches().Count());
             Require(hits.u[i] >= 0 && hits.u[i] <= 1 && hits.v[i] >= 0 && hits.v[i] <= 1);
+            Require(!surface.Patches().IsTriangle(hits.patch[i]) || hits.u[i] + hits.v[i] <= 1);
             Require(nearest.tMax[i] >= 0);
             cc::EvaluateLimit(surface.Patches(), hits.patch[i], surface.PatchPoints().data(),
                               hits.u[i], hits.v[i]);
