@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/subdiv/limitPoint.h"
 #include "core/trace/tracer.h"
 #include "tests/unit/render/renderTestKit.h"
 
@@ -178,6 +179,36 @@ TEST(ShadingPoint, ClosedSurfacesAreNeverHitFromBehind) {
                 }
             }
             EXPECT_GT(hits, 500) << cage.name;
+        }
+    }
+}
+
+TEST(ShadingPoint, TrianglesUpToTheLongEdgeOfAPatchTellTheSide) {
+    Scene scene;
+    AddCage(&scene, "/closed", LoopIcosahedron());
+    scene.Build({"geometry"});
+    const Instance& instance = scene.Instances().Instances()[0];
+    const Surface& surface = *instance.surface;
+    constexpr int kLevel = 4, kSegments = 1 << kLevel;
+    for (uint32_t patch = 0; patch < surface.Patches().Count(); ++patch) {
+        for (int i = 0; i <= kSegments; ++i) {
+            const float u = static_cast<float>(i) / kSegments;
+            const LimitPoint limit =
+                EvaluateLimit(surface.Patches(), patch, surface.PatchPoints().data(), u, 1 - u);
+            const Vec3f along = Normalize(limit.du);
+            // So nearly along the surface that the triangle decides, whose normal is close.
+            for (const float side : {-0.2f, 0.2f}) {
+                Traced traced;
+                const Vec3f d = along + limit.normal * side;
+                traced.rays.directionX[0] = d.x;
+                traced.rays.directionY[0] = d.y;
+                traced.rays.directionZ[0] = d.z;
+                traced.hits.patch[0] = patch;
+                traced.hits.u[0] = u;
+                traced.hits.v[0] = 1 - u;
+                EXPECT_EQ(IsHitFromBehind(instance, traced.rays, traced.hits, 0, kLevel), side > 0)
+                    << "patch " << patch << " at " << u;
+            }
         }
     }
 }
