@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <memory>
 
 #include <tbb/parallel_for.h>
@@ -50,19 +52,25 @@ class Builder {
         return range;
     }
 
-    /// Splits the widest of a node's ranges until it has all children it can hold.
+    /// Makes the node of a range: ranges that fit into a node of leaves each, or as many as there
+    /// are slots; then leaves of what is left of the slots.
     std::unique_ptr<BuildNode> Build(const Range& root, int depth) {
         std::array<Range, kBvhWidth> ranges;
         ranges[0] = root;
         int count = 1;
+        // The widest first, until all are small.
         while (count < kBvhWidth) {
             const int widest = _WidestRange(ranges, count);
-            if (ranges[widest].Size() < 2) {
+            if (widest < 0) {
                 break;
             }
-            const size_t middle = _Split(ranges[widest], depth);
-            ranges[count++] = Measure(middle, ranges[widest].end);
-            ranges[widest] = Measure(ranges[widest].begin, middle);
+            _SplitInto(&ranges, &count, widest, depth);
+        }
+        // A small range needs a node of its own: spare those that the free slots can hold.
+        for (int i = _SmallestRange(ranges, count);
+             i >= 0 && count + static_cast<int>(ranges[i].Size()) - 1 <= kBvhWidth;
+             i = _SmallestRange(ranges, count)) {
+            _Scatter(&ranges, &count, i);
         }
         auto node = std::make_unique<BuildNode>();
         node->count = count;
@@ -88,16 +96,45 @@ class Builder {
     }
 
   private:
+    /// The range of the largest box among those too large for a node of leaves, or -1.
     static int _WidestRange(const std::array<Range, kBvhWidth>& ranges, int count) {
-        int widest = 0;
+        int widest = -1;
         float area = -1;
         for (int i = 0; i < count; ++i) {
-            if (ranges[i].Size() > 1 && ranges[i].box.HalfArea() > area) {
+            if (ranges[i].Size() > kBvhWidth && ranges[i].box.HalfArea() > area) {
                 widest = i;
                 area = ranges[i].box.HalfArea();
             }
         }
         return widest;
+    }
+
+    /// The range of fewest primitives, more than one, or -1.
+    static int _SmallestRange(const std::array<Range, kBvhWidth>& ranges, int count) {
+        int smallest = -1;
+        for (int i = 0; i < count; ++i) {
+            if (ranges[i].Size() > 1 &&
+                (smallest < 0 || ranges[i].Size() < ranges[smallest].Size())) {
+                smallest = i;
+            }
+        }
+        return smallest;
+    }
+
+    void _SplitInto(std::array<Range, kBvhWidth>* ranges, int* count, int which, int depth) {
+        Range& range = (*ranges)[which];
+        const size_t middle = _Split(range, depth);
+        (*ranges)[(*count)++] = Measure(middle, range.end);
+        range = Measure(range.begin, middle);
+    }
+
+    /// Replaces a range by ranges of one primitive each.
+    void _Scatter(std::array<Range, kBvhWidth>* ranges, int* count, int which) {
+        const Range range = (*ranges)[which];
+        (*ranges)[which] = Measure(range.begin, range.begin + 1);
+        for (size_t i = range.begin + 1; i < range.end; ++i) {
+            (*ranges)[(*count)++] = Measure(i, i + 1);
+        }
     }
 
     struct Bin {
@@ -168,26 +205,49 @@ class Builder {
     std::vector<Primitive>& _primitives;
 };
 
+/// Quantizes the bounds of all children along one axis.
+void QuantizeAxis(const BuildNode& from, int axis, BvhNode* node) {
+    float lowest = from.boxes[0].lower[axis], highest = from.boxes[0].upper[axis];
+    for (int i = 1; i < from.count; ++i) {
+        lowest = std::min(lowest, from.boxes[i].lower[axis]);
+        highest = std::max(highest, from.boxes[i].upper[axis]);
+    }
+    // The smallest power of two whose 255 steps reach across, also after rounding.
+    int exponent =
+        std::ilogb(std::max((highest - lowest) / 255, std::numeric_limits<float>::min()));
+    while (lowest + std::ldexp(255.0f, exponent) < highest) {
+        ++exponent;
+    }
+    const float scale = std::ldexp(1.0f, exponent);
+    node->origin[axis] = lowest;
+    node->scale[axis] = scale;
+    for (int i = 0; i < from.count; ++i) {
+        const float lower = from.boxes[i].lower[axis], upper = from.boxes[i].upper[axis];
+        int low = std::clamp(static_cast<int>((lower - lowest) / scale), 0, 255);
+        while (low > 0 && lowest + scale * static_cast<float>(low) > lower) {
+            --low;
+        }
+        int high = std::clamp(static_cast<int>((upper - lowest) / scale), 0, 255);
+        while (high < 255 && lowest + scale * static_cast<float>(high) < upper) {
+            ++high;
+        }
+        node->lower[axis][i] = static_cast<uint8_t>(low);
+        node->upper[axis][i] = static_cast<uint8_t>(high);
+    }
+}
+
 /// Copies the tree into the array, a node before its children.
 void Flatten(const BuildNode& from, std::vector<BvhNode>* nodes) {
     const size_t index = nodes->size();
     nodes->emplace_back();
-    BvhNode node;
+    BvhNode node{};
     node.childCount = from.count;
-    for (int i = 0; i < kBvhWidth; ++i) {
-        const Box3f box = i < from.count ? from.boxes[i] : Box3f();
-        node.lowerX[i] = box.lower.x;
-        node.lowerY[i] = box.lower.y;
-        node.lowerZ[i] = box.lower.z;
-        node.upperX[i] = box.upper.x;
-        node.upperY[i] = box.upper.y;
-        node.upperZ[i] = box.upper.z;
-        node.child[i] = 0;
-        if (i < from.count) {
-            node.child[i] =
-                from.children[i] ? static_cast<uint32_t>(nodes->size()) : from.leaves[i];
-        }
-        if (i < from.count && from.children[i]) {
+    for (int axis = 0; axis < 3; ++axis) {
+        QuantizeAxis(from, axis, &node);
+    }
+    for (int i = 0; i < from.count; ++i) {
+        node.child[i] = from.children[i] ? static_cast<uint32_t>(nodes->size()) : from.leaves[i];
+        if (from.children[i]) {
             Flatten(*from.children[i], nodes);
         }
     }
@@ -195,6 +255,15 @@ void Flatten(const BuildNode& from, std::vector<BvhNode>* nodes) {
 }
 
 }  // namespace
+
+Box3f BvhNode::ChildBox(int slot) const {
+    Box3f box;
+    for (int axis = 0; axis < 3; ++axis) {
+        box.lower[axis] = origin[axis] + scale[axis] * static_cast<float>(lower[axis][slot]);
+        box.upper[axis] = origin[axis] + scale[axis] * static_cast<float>(upper[axis][slot]);
+    }
+    return box;
+}
 
 Bvh::Bvh(const std::vector<Box3f>& boxes) {
     std::vector<Primitive> primitives;

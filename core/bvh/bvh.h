@@ -9,19 +9,23 @@
 namespace cc {
 
 /// Children of a node: what one SIMD test takes at once.
-constexpr int kBvhWidth = 8;
+constexpr int kBvhWidth = 16;
 
 /// No tree has more levels of nodes.
 constexpr int kBvhMaxDepth = 64;
 
-/// A wide node: the boxes of up to eight children, one array a bound. Unused slots are at the end
-/// and have empty boxes.
-struct alignas(32) BvhNode {
-    float lowerX[kBvhWidth], lowerY[kBvhWidth], lowerZ[kBvhWidth];
-    float upperX[kBvhWidth], upperY[kBvhWidth], upperZ[kBvhWidth];
+/// A wide node in three cache lines. The boxes of its children are quantized in the node's own
+/// box, outwards: a bound is origin + scale * byte. Scales are powers of two, so that this has one
+/// rounding, with or without a fused multiply-add. Unused slots are at the end.
+struct alignas(64) BvhNode {
+    uint8_t lower[3][kBvhWidth], upper[3][kBvhWidth];
     /// An inner node's index, or kBvhLeaf | a primitive's index.
     uint32_t child[kBvhWidth];
+    float origin[3], scale[3];
     int childCount;
+
+    /// The box of a child, as tracers see it.
+    Box3f ChildBox(int slot) const;
 };
 
 constexpr uint32_t kBvhLeaf = 0x80000000u;

@@ -5,17 +5,16 @@
 namespace cc {
 namespace {
 
-/// Four B-spline points to four Bezier points of the middle segment. Written so that running the
-/// points backwards gives the same bits backwards.
-void CurveFromBSpline(const Vec3f& a, const Vec3f& b, const Vec3f& c, const Vec3f& d,
-                      Vec3f out[4]) {
-    out[0] = ((a + c) + b * 4) * (1 / 6.0f);
-    out[1] = (b * 2 + c) * (1 / 3.0f);
-    out[2] = (c * 2 + b) * (1 / 3.0f);
-    out[3] = ((b + d) + c * 4) * (1 / 6.0f);
+/// Four B-spline values to four Bezier values of the middle segment, times six.
+void CurveFromBSpline(double a, double b, double c, double d, double out[4]) {
+    out[0] = a + 4 * b + c;
+    out[1] = 4 * b + 2 * c;
+    out[2] = 2 * b + 4 * c;
+    out[3] = b + 4 * c + d;
 }
 
-Vec3f Lerp(const Vec3f& a, const Vec3f& b, float t) { return a * (1 - t) + b * t; }
+/// The points at the thirds of a segment; backwards, the same ones.
+Vec3f Third(const Vec3f& near, const Vec3f& far) { return (near * 2 + far) * (1 / 3.0f); }
 
 /// Cubic Bernstein weights.
 void Bernstein(float t, float w[4]) {
@@ -60,27 +59,37 @@ void SplitCurve(const Vec3f& a, const Vec3f& b, const Vec3f& c, const Vec3f& d, 
 }  // namespace
 
 BezierPatch BezierPatch::FromBSpline(const Vec3f bspline[16]) {
-    Vec3f columns[4][4];
-    for (int column = 0; column < 4; ++column) {
-        CurveFromBSpline(bspline[column], bspline[4 + column], bspline[8 + column],
-                         bspline[12 + column], columns[column]);
-    }
     BezierPatch patch;
-    for (int row = 0; row < 4; ++row) {
-        CurveFromBSpline(columns[0][row], columns[1][row], columns[2][row], columns[3][row],
-                         patch.points[row]);
+    for (int axis = 0; axis < 3; ++axis) {
+        double columns[4][4];
+        for (int column = 0; column < 4; ++column) {
+            CurveFromBSpline(bspline[column][axis], bspline[4 + column][axis],
+                             bspline[8 + column][axis], bspline[12 + column][axis],
+                             columns[column]);
+        }
+        for (int row = 0; row < 4; ++row) {
+            double points[4];
+            CurveFromBSpline(columns[0][row], columns[1][row], columns[2][row], columns[3][row],
+                             points);
+            for (int column = 0; column < 4; ++column) {
+                patch.points[row][column][axis] = static_cast<float>(points[column] * (1 / 36.0));
+            }
+        }
     }
     return patch;
 }
 
 BezierPatch BezierPatch::FromBilinear(const Vec3f corners[4]) {
+    const Vec3f left[4] = {corners[0], Third(corners[0], corners[3]), Third(corners[3], corners[0]),
+                           corners[3]};
+    const Vec3f right[4] = {corners[1], Third(corners[1], corners[2]),
+                            Third(corners[2], corners[1]), corners[2]};
     BezierPatch patch;
     for (int row = 0; row < 4; ++row) {
-        const float v = static_cast<float>(row) / 3;
-        const Vec3f left = Lerp(corners[0], corners[3], v), right = Lerp(corners[1], corners[2], v);
-        for (int column = 0; column < 4; ++column) {
-            patch.points[row][column] = Lerp(left, right, static_cast<float>(column) / 3);
-        }
+        patch.points[row][0] = left[row];
+        patch.points[row][1] = Third(left[row], right[row]);
+        patch.points[row][2] = Third(right[row], left[row]);
+        patch.points[row][3] = right[row];
     }
     return patch;
 }

@@ -18,24 +18,29 @@ namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 /// Slack of slab tests for the rounding of their own arithmetic.
-constexpr float kSlabSlack = 1.0f + 4e-7f;
+constexpr float kSlabSlack = 1.0f + 1e-6f;
+
+/// Narrows [near, far] to the part of rays between two planes across one axis.
+template <class V>
+HWY_INLINE void ClipToSlab(V lower, V upper, V origin, V inverse, V slack, V* near, V* far) {
+    const V t0 = hn::Mul(hn::Sub(lower, origin), inverse);
+    const V t1 = hn::Mul(hn::Sub(upper, origin), inverse);
+    *near = hn::Max(*near, hn::Min(t0, t1));
+    *far = hn::Min(*far, hn::Mul(hn::Max(t0, t1), slack));
+}
 
 /// Which of the rays from lane first on hit a box.
 template <class D>
 HWY_INLINE hn::Mask<D> RaysHitBox(D d, const ObjectRays& rays, size_t first, const Box3f& box) {
     auto near = hn::Load(d, rays.tMin + first);
     auto far = hn::Load(d, rays.tMax + first);
-    const auto slab = [&](const float* origins, const float* inverses, float lower, float upper) {
-        const auto origin = hn::Load(d, origins + first);
-        const auto inverse = hn::Load(d, inverses + first);
-        const auto t0 = hn::Mul(hn::Sub(hn::Set(d, lower), origin), inverse);
-        const auto t1 = hn::Mul(hn::Sub(hn::Set(d, upper), origin), inverse);
-        near = hn::Max(near, hn::Min(t0, t1));
-        far = hn::Min(far, hn::Mul(hn::Max(t0, t1), hn::Set(d, kSlabSlack)));
-    };
-    slab(rays.originX, rays.inverseX, box.lower.x, box.upper.x);
-    slab(rays.originY, rays.inverseY, box.lower.y, box.upper.y);
-    slab(rays.originZ, rays.inverseZ, box.lower.z, box.upper.z);
+    const auto slack = hn::Set(d, kSlabSlack);
+    ClipToSlab(hn::Set(d, box.lower.x), hn::Set(d, box.upper.x), hn::Load(d, rays.originX + first),
+               hn::Load(d, rays.inverseX + first), slack, &near, &far);
+    ClipToSlab(hn::Set(d, box.lower.y), hn::Set(d, box.upper.y), hn::Load(d, rays.originY + first),
+               hn::Load(d, rays.inverseY + first), slack, &near, &far);
+    ClipToSlab(hn::Set(d, box.lower.z), hn::Set(d, box.upper.z), hn::Load(d, rays.originZ + first),
+               hn::Load(d, rays.inverseZ + first), slack, &near, &far);
     return hn::Le(near, far);
 }
 
@@ -53,32 +58,58 @@ HWY_INLINE int FirstRayThatHits(D d, const ObjectRays& rays, int from, const Box
     return rays.count;
 }
 
-/// Children of a node that may be hit, and how far away they begin.
-struct NodeHits {
+/// As many boxes as one test takes, one array a bound: the children of a node, or the blocks of a
+/// limit grid. Slots from count on are meaningless.
+struct WideBoxes {
+    alignas(64) float lower[3][kBvhWidth], upper[3][kBvhWidth];
+    int count;
+
+    Box3f At(int slot) const {
+        Box3f box;
+        box.lower = {lower[0][slot], lower[1][slot], lower[2][slot]};
+        box.upper = {upper[0][slot], upper[1][slot], upper[2][slot]};
+        return box;
+    }
+};
+
+/// Boxes that may be hit, and how far away they begin.
+struct WideHits {
     uint32_t mask = 0;
     alignas(64) float distance[kBvhWidth];
 };
 
-using NodeTag = hn::CappedTag<float, kBvhWidth>;
+using WideTag = hn::CappedTag<float, kBvhWidth>;
 
-HWY_INLINE uint32_t MaskBits(NodeTag d, hn::Mask<NodeTag> mask) {
+HWY_INLINE uint32_t MaskBits(WideTag d, hn::Mask<WideTag> mask) {
     alignas(8) uint8_t bytes[8] = {};
     hn::StoreMaskBits(d, mask, bytes);
-    return bytes[0] & ((1u << hn::Lanes(d)) - 1);
+    return (bytes[0] | static_cast<uint32_t>(bytes[1]) << 8) & ((1u << hn::Lanes(d)) - 1);
 }
 
-inline const float* Lower(const BvhNode& node, int axis) {
-    return axis == 0 ? node.lowerX : axis == 1 ? node.lowerY : node.lowerZ;
-}
-inline const float* Upper(const BvhNode& node, int axis) {
-    return axis == 0 ? node.upperX : axis == 1 ? node.upperY : node.upperZ;
+/// Decodes the boxes of a node's children.
+HWY_INLINE void DecodeBoxes(const BvhNode& node, WideBoxes* boxes) {
+    const WideTag d;
+    const hn::Rebind<int32_t, WideTag> di;
+    const hn::Rebind<uint8_t, WideTag> d8;
+    boxes->count = node.childCount;
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto origin = hn::Set(d, node.origin[axis]), scale = hn::Set(d, node.scale[axis]);
+        const auto decode = [&](const uint8_t* from, float* to) {
+            const auto steps = hn::ConvertTo(d, hn::PromoteTo(di, hn::LoadU(d8, from)));
+            hn::Store(hn::MulAdd(steps, scale, origin), d, to);
+        };
+        for (size_t lane = 0; lane < kBvhWidth; lane += hn::Lanes(d)) {
+            decode(node.lower[axis] + lane, boxes->lower[axis] + lane);
+            decode(node.upper[axis] + lane, boxes->upper[axis] + lane);
+        }
+    }
 }
 
-/// PacketInterval::Culls for all children of a node at once.
-HWY_INLINE NodeHits NodeHitsOfPacket(const BvhNode& node, const PacketInterval& interval) {
-    const NodeTag d;
-    NodeHits result;
-    const uint32_t used = (1u << node.childCount) - 1;
+/// PacketInterval::Culls for many boxes at once.
+HWY_INLINE WideHits BoxesThatPacketHits(const WideBoxes& boxes, const PacketInterval& interval) {
+    const WideTag d;
+    WideHits result;
+    const uint32_t used = (1u << boxes.count) - 1;
     if (!interval.IsValid()) {
         result.mask = used;
         for (float& distance : result.distance) {
@@ -86,9 +117,10 @@ HWY_INLINE NodeHits NodeHitsOfPacket(const BvhNode& node, const PacketInterval& 
         }
         return result;
     }
+    const int axis = interval.Axis();
     for (size_t lane = 0; lane < kBvhWidth; lane += hn::Lanes(d)) {
-        auto low = hn::Load(d, Lower(node, interval.Axis()) + lane);
-        auto high = hn::Load(d, Upper(node, interval.Axis()) + lane);
+        auto low = hn::Load(d, boxes.lower[axis] + lane);
+        auto high = hn::Load(d, boxes.upper[axis] + lane);
         if (interval.IsReversed()) {
             const auto swap = hn::Neg(low);
             low = hn::Neg(high);
@@ -105,8 +137,8 @@ HWY_INLINE NodeHits NodeHitsOfPacket(const BvhNode& node, const PacketInterval& 
                                        hn::Min(hn::Mul(slopeMin, near), hn::Mul(slopeMin, far)));
             const auto most = hn::Add(hn::Set(d, side.originMax),
                                       hn::Max(hn::Mul(slopeMax, near), hn::Mul(slopeMax, far)));
-            hit = hn::And(hit, hn::And(hn::Le(least, hn::Load(d, Upper(node, side.axis) + lane)),
-                                       hn::Ge(most, hn::Load(d, Lower(node, side.axis) + lane))));
+            hit = hn::And(hit, hn::And(hn::Le(least, hn::Load(d, boxes.upper[side.axis] + lane)),
+                                       hn::Ge(most, hn::Load(d, boxes.lower[side.axis] + lane))));
         }
         result.mask |= MaskBits(d, hit) << lane;
         hn::Store(near, d, result.distance + lane);
@@ -115,27 +147,40 @@ HWY_INLINE NodeHits NodeHitsOfPacket(const BvhNode& node, const PacketInterval& 
     return result;
 }
 
-/// Slab tests of one ray against all children of a node.
-HWY_INLINE NodeHits NodeHitsOfRay(const BvhNode& node, const ObjectRays& rays) {
-    const NodeTag d;
-    NodeHits result;
+/// Slab tests of one ray against many boxes.
+HWY_INLINE WideHits BoxesThatRayHits(const WideBoxes& boxes, const ObjectRays& rays, int ray) {
+    const WideTag d;
+    WideHits result;
     for (size_t lane = 0; lane < kBvhWidth; lane += hn::Lanes(d)) {
-        auto near = hn::Set(d, rays.tMin[0]), far = hn::Set(d, rays.tMax[0]);
-        const auto slab = [&](float origin, float inverse, const float* lower, const float* upper) {
-            const auto o = hn::Set(d, origin), i = hn::Set(d, inverse);
-            const auto t0 = hn::Mul(hn::Sub(hn::Load(d, lower + lane), o), i);
-            const auto t1 = hn::Mul(hn::Sub(hn::Load(d, upper + lane), o), i);
-            near = hn::Max(near, hn::Min(t0, t1));
-            far = hn::Min(far, hn::Mul(hn::Max(t0, t1), hn::Set(d, kSlabSlack)));
-        };
-        slab(rays.originX[0], rays.inverseX[0], node.lowerX, node.upperX);
-        slab(rays.originY[0], rays.inverseY[0], node.lowerY, node.upperY);
-        slab(rays.originZ[0], rays.inverseZ[0], node.lowerZ, node.upperZ);
+        auto near = hn::Set(d, rays.tMin[ray]), far = hn::Set(d, rays.tMax[ray]);
+        const float origins[3] = {rays.originX[ray], rays.originY[ray], rays.originZ[ray]};
+        const float inverses[3] = {rays.inverseX[ray], rays.inverseY[ray], rays.inverseZ[ray]};
+        for (int axis = 0; axis < 3; ++axis) {
+            ClipToSlab(hn::Load(d, boxes.lower[axis] + lane), hn::Load(d, boxes.upper[axis] + lane),
+                       hn::Set(d, origins[axis]), hn::Set(d, inverses[axis]),
+                       hn::Set(d, kSlabSlack), &near, &far);
+        }
         result.mask |= MaskBits(d, hn::Le(near, far)) << lane;
         hn::Store(near, d, result.distance + lane);
     }
-    result.mask &= (1u << node.childCount) - 1;
+    result.mask &= (1u << boxes.count) - 1;
     return result;
+}
+
+/// A bit for each ray that hits a box, of those whose bit is set.
+template <class D>
+HWY_INLINE uint64_t RaysThatHit(D d, const ObjectRays& rays, uint64_t among, const Box3f& box) {
+    const int lanes = static_cast<int>(hn::Lanes(d));
+    const uint64_t group = (uint64_t(1) << lanes) - 1;
+    uint64_t bits = 0;
+    for (int first = 0; first < rays.count; first += lanes) {
+        if ((among >> first & group) != 0) {
+            alignas(8) uint8_t bytes[8] = {};
+            hn::StoreMaskBits(d, RaysHitBox(d, rays, first, box), bytes);
+            bits |= ((bytes[0] | static_cast<uint64_t>(bytes[1]) << 8) & group) << first;
+        }
+    }
+    return bits & among;
 }
 
 }  // namespace HWY_NAMESPACE

@@ -13,6 +13,8 @@ struct Instance {
     const Surface* surface = nullptr;
     AffineTransform objectToWorld;
     AffineTransform worldToObject;
+    /// True if the surface's own space is the world: rays need no transform. Set by InstanceBvh.
+    bool isInPlace = false;
 };
 
 /// The top level: instances and a BVH over their world bounds. What a tracer traces.

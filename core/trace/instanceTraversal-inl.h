@@ -6,6 +6,8 @@
 #define CC_TRACE_INSTANCE_TRAVERSAL_INL_H
 #endif
 
+#include <algorithm>
+
 #include <hwy/highway.h>
 
 #include "core/trace/instance.h"
@@ -26,16 +28,23 @@ HWY_INLINE void TraceInstances(const InstanceBvh& instances, const RayPacket& wo
                                ObjectRays* worldRays, TraceStatistics* statistics,
                                const TraceSurface& traceSurface) {
     Rays rays(worldRays);
-    RayPacket current = world;
+    RayPacket current;
+    bool isCopied = false;
     ObjectRays local;
-    TraverseBvh(instances.TopLevel(), &rays, statistics, [&](uint32_t index, int) {
+    TraverseBvh(instances.TopLevel(), &rays, statistics, [&](uint32_t index, int, const Box3f&) {
         const Instance& instance = instances.Instances()[index];
+        if (instance.isInPlace) {
+            return traceSurface(*instance.surface, index, &rays);
+        }
+        if (!isCopied) {
+            current = world;
+            isCopied = true;
+        }
+        std::copy(worldRays->tMax, worldRays->tMax + worldRays->count, current.tMax);
         TransformRays(current, instance.worldToObject, &local);
         Rays localRays(&local);
         const bool goesOn = traceSurface(*instance.surface, index, &localRays);
-        for (int i = 0; i < local.count; ++i) {
-            current.tMax[i] = worldRays->tMax[i] = local.tMax[i];
-        }
+        std::copy(local.tMax, local.tMax + local.count, worldRays->tMax);
         rays.Shortened();
         return goesOn;
     });

@@ -4,6 +4,31 @@
 #include <cmath>
 #include <limits>
 
+#ifndef CC_TRACE_PACKET_INTERVAL_ONCE
+#define CC_TRACE_PACKET_INTERVAL_ONCE
+namespace cc {
+namespace {
+
+struct FloatRange {
+    float least, greatest;
+};
+
+/// Of rays as functions of the distance along an axis; sides are the two axes after it.
+struct IntervalRanges {
+    FloatRange near, origins[3], slopes[2];
+};
+
+const float* Origins(const ObjectRays& rays, int axis) {
+    return axis == 0 ? rays.originX : axis == 1 ? rays.originY : rays.originZ;
+}
+const float* Directions(const ObjectRays& rays, int axis) {
+    return axis == 0 ? rays.directionX : axis == 1 ? rays.directionY : rays.directionZ;
+}
+
+}  // namespace
+}  // namespace cc
+#endif
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/trace/packetInterval.cpp"
 #include <hwy/foreach_target.h>
@@ -14,45 +39,84 @@ namespace cc {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// The least and the greatest of value(i) over vectors of rays that are not done.
-template <class Value>
-HWY_INLINE void MeasureActive(const ObjectRays& rays, const Value& value, float* least,
-                              float* greatest) {
-    const hn::CappedTag<float, 16> d;
-    const auto infinity = hn::Set(d, std::numeric_limits<float>::infinity());
-    auto low = infinity, high = hn::Neg(infinity);
-    for (int i = 0; i < rays.count; i += static_cast<int>(hn::Lanes(d))) {
-        const auto isActive = hn::Le(hn::Load(d, rays.tMin + i), hn::Load(d, rays.tMax + i));
-        const auto v = value(d, i);
-        low = hn::Min(low, hn::IfThenElse(isActive, v, infinity));
-        high = hn::Max(high, hn::IfThenElse(isActive, v, hn::Neg(infinity)));
+using Tag = hn::CappedTag<float, 16>;
+using V = hn::Vec<Tag>;
+
+/// The least and the greatest of values of rays that are not done.
+class Range {
+  public:
+    HWY_INLINE Range()
+        : _low(hn::Set(Tag(), std::numeric_limits<float>::infinity())), _high(hn::Neg(_low)) {}
+
+    HWY_INLINE void Add(hn::Mask<Tag> isActive, V values) {
+        const V infinity = hn::Set(Tag(), std::numeric_limits<float>::infinity());
+        _low = hn::Min(_low, hn::IfThenElse(isActive, values, infinity));
+        _high = hn::Max(_high, hn::IfThenElse(isActive, values, hn::Neg(infinity)));
     }
-    *least = hn::GetLane(hn::MinOfLanes(d, low));
-    *greatest = hn::GetLane(hn::MaxOfLanes(d, high));
+    HWY_INLINE FloatRange Reduce() const {
+        return {hn::GetLane(hn::MinOfLanes(Tag(), _low)),
+                hn::GetLane(hn::MaxOfLanes(Tag(), _high))};
+    }
+
+  private:
+    V _low, _high;
+};
+
+/// Calls add(isActive, first) for vectors of rays.
+template <class Add>
+HWY_INLINE void ForActive(const ObjectRays& rays, const Add& add) {
+    const Tag d;
+    for (int i = 0; i < rays.count; i += static_cast<int>(hn::Lanes(d))) {
+        add(hn::Le(hn::Load(d, rays.tMin + i), hn::Load(d, rays.tMax + i)), i);
+    }
 }
 
-void MeasureValues(const ObjectRays& rays, const float* values, float* least, float* greatest) {
-    MeasureActive(rays, [&](auto d, int i) { return hn::Load(d, values + i); }, least, greatest);
+void MeasureDirections(const ObjectRays& rays, FloatRange directions[3], FloatRange* length) {
+    const Tag d;
+    Range x, y, z, lengths;
+    ForActive(rays, [&](hn::Mask<Tag> isActive, int i) {
+        x.Add(isActive, hn::Load(d, rays.directionX + i));
+        y.Add(isActive, hn::Load(d, rays.directionY + i));
+        z.Add(isActive, hn::Load(d, rays.directionZ + i));
+        lengths.Add(isActive, hn::Load(d, rays.length + i));
+    });
+    directions[0] = x.Reduce();
+    directions[1] = y.Reduce();
+    directions[2] = z.Reduce();
+    *length = lengths.Reduce();
 }
 
-void MeasureRatios(const ObjectRays& rays, const float* values, const float* divisors, float* least,
-                   float* greatest) {
-    MeasureActive(
-        rays,
-        [&](auto d, int i) {
-            return hn::Div(hn::Load(d, values + i), hn::Abs(hn::Load(d, divisors + i)));
-        },
-        least, greatest);
+void MeasureAlong(const ObjectRays& rays, int axis, IntervalRanges* ranges) {
+    const Tag d;
+    const int axes[3] = {axis, (axis + 1) % 3, (axis + 2) % 3};
+    Range near, origins[3], slopes[2];
+    ForActive(rays, [&](hn::Mask<Tag> isActive, int i) {
+        const V speed = hn::Abs(hn::Load(d, Directions(rays, axis) + i));
+        near.Add(isActive, hn::Mul(hn::Load(d, rays.tMin + i), speed));
+        for (int k = 0; k < 3; ++k) {
+            origins[k].Add(isActive, hn::Load(d, Origins(rays, axes[k]) + i));
+        }
+        for (int k = 0; k < 2; ++k) {
+            slopes[k].Add(isActive, hn::Div(hn::Load(d, Directions(rays, axes[k + 1]) + i), speed));
+        }
+    });
+    ranges->near = near.Reduce();
+    for (int k = 0; k < 3; ++k) {
+        ranges->origins[k] = origins[k].Reduce();
+    }
+    for (int k = 0; k < 2; ++k) {
+        ranges->slopes[k] = slopes[k].Reduce();
+    }
 }
 
-void MeasureProducts(const ObjectRays& rays, const float* values, const float* factors,
-                     float* least, float* greatest) {
-    MeasureActive(
-        rays,
-        [&](auto d, int i) {
-            return hn::Mul(hn::Load(d, values + i), hn::Abs(hn::Load(d, factors + i)));
-        },
-        least, greatest);
+void MeasureReach(const ObjectRays& rays, int axis, float* reach) {
+    const Tag d;
+    Range far;
+    ForActive(rays, [&](hn::Mask<Tag> isActive, int i) {
+        far.Add(isActive, hn::Mul(hn::Load(d, rays.tMax + i),
+                                  hn::Abs(hn::Load(d, Directions(rays, axis) + i))));
+    });
+    *reach = far.Reduce().greatest;
 }
 
 }  // namespace HWY_NAMESPACE
@@ -63,18 +127,15 @@ HWY_AFTER_NAMESPACE();
 namespace cc {
 namespace {
 
-HWY_EXPORT(MeasureValues);
-HWY_EXPORT(MeasureRatios);
-HWY_EXPORT(MeasureProducts);
+HWY_EXPORT(MeasureDirections);
+HWY_EXPORT(MeasureAlong);
+HWY_EXPORT(MeasureReach);
 
 /// Widening of slopes and origins that covers the rounding of their arithmetic.
 constexpr float kMargin = 1e-6f;
 
-const float* Origins(const ObjectRays& rays, int axis) {
-    return axis == 0 ? rays.originX : axis == 1 ? rays.originY : rays.originZ;
-}
-const float* Directions(const ObjectRays& rays, int axis) {
-    return axis == 0 ? rays.directionX : axis == 1 ? rays.directionY : rays.directionZ;
+float Margin(const FloatRange& range) {
+    return kMargin * std::max(std::fabs(range.least), std::fabs(range.greatest));
 }
 
 }  // namespace
@@ -84,18 +145,22 @@ PacketInterval::PacketInterval(const ObjectRays& rays) {
     if (!IsValid()) {
         return;
     }
-    HWY_DYNAMIC_DISPATCH(MeasureValues)(rays, Origins(rays, _axis), &_originMin, &_originMax);
+    IntervalRanges ranges;
+    HWY_DYNAMIC_DISPATCH(MeasureAlong)(rays, _axis, &ranges);
+    _originMin = ranges.origins[0].least;
+    _originMax = ranges.origins[0].greatest;
     if (_reversed) {
         std::swap(_originMin, _originMax);
         _originMin = -_originMin;
         _originMax = -_originMax;
     }
-    float farthest;
-    HWY_DYNAMIC_DISPATCH(MeasureProducts)
-    (rays, rays.tMin, Directions(rays, _axis), &_nearest, &farthest);
-    _nearest -= kMargin * std::fabs(_nearest);
-    _sides[0] = _MeasureSide(rays, (_axis + 1) % 3);
-    _sides[1] = _MeasureSide(rays, (_axis + 2) % 3);
+    _nearest = ranges.near.least - kMargin * std::fabs(ranges.near.least);
+    for (int i = 0; i < 2; ++i) {
+        const FloatRange origins = ranges.origins[i + 1], slopes = ranges.slopes[i];
+        _sides[i] = {(_axis + 1 + i) % 3, origins.least - Margin(origins),
+                     origins.greatest + Margin(origins), slopes.least - Margin(slopes),
+                     slopes.greatest + Margin(slopes)};
+    }
     UpdateReach(rays);
 }
 
@@ -103,44 +168,28 @@ void PacketInterval::UpdateReach(const ObjectRays& rays) {
     if (!IsValid()) {
         return;
     }
-    float nearest;
-    HWY_DYNAMIC_DISPATCH(MeasureProducts)
-    (rays, rays.tMax, Directions(rays, _axis), &nearest, &_reach);
+    HWY_DYNAMIC_DISPATCH(MeasureReach)(rays, _axis, &_reach);
     _reach += kMargin * std::fabs(_reach);
 }
 
 /// The axis along which every ray runs the same way, and the slowest of them is fastest.
 void PacketInterval::_ChooseAxis(const ObjectRays& rays) {
-    float best = 0;
+    FloatRange directions[3], length;
+    HWY_DYNAMIC_DISPATCH(MeasureDirections)(rays, directions, &length);
+    // Below this slopes get so steep that nothing is culled.
+    float best = 1e-3f * length.greatest;
     for (int axis = 0; axis < 3; ++axis) {
-        float low, high;
-        HWY_DYNAMIC_DISPATCH(MeasureRatios)
-        (rays, Directions(rays, axis), rays.length, &low, &high);
-        const float speed = low > 0 ? low : high < 0 ? -high : 0;
-        // Below this slopes get so steep that nothing is culled.
-        if (speed > best && speed > 1e-3f && speed <= 1.1f) {
+        const FloatRange& range = directions[axis];
+        const float speed = range.least > 0      ? range.least
+                            : range.greatest < 0 ? -range.greatest
+                                                 : 0;
+        // A packet without rays has no range.
+        if (speed > best && std::isfinite(speed)) {
             best = speed;
             _axis = axis;
-            _reversed = high < 0;
+            _reversed = range.greatest < 0;
         }
     }
-}
-
-PacketInterval::Slab PacketInterval::_MeasureSide(const ObjectRays& rays, int axis) const {
-    Slab side{axis, 0, 0, 0, 0};
-    HWY_DYNAMIC_DISPATCH(MeasureValues)
-    (rays, Origins(rays, axis), &side.originMin, &side.originMax);
-    HWY_DYNAMIC_DISPATCH(MeasureRatios)
-    (rays, Directions(rays, axis), Directions(rays, _axis), &side.slopeMin, &side.slopeMax);
-    const float slopeMargin =
-        kMargin * std::max(std::fabs(side.slopeMin), std::fabs(side.slopeMax));
-    const float originMargin =
-        kMargin * std::max(std::fabs(side.originMin), std::fabs(side.originMax));
-    side.slopeMin -= slopeMargin;
-    side.slopeMax += slopeMargin;
-    side.originMin -= originMargin;
-    side.originMax += originMargin;
-    return side;
 }
 
 bool PacketInterval::Culls(const Box3f& box) const {

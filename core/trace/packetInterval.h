@@ -44,7 +44,6 @@ class PacketInterval {
 
   private:
     void _ChooseAxis(const ObjectRays& rays);
-    Slab _MeasureSide(const ObjectRays& rays, int axis) const;
 
     int _axis = -1;
     bool _reversed = false;

@@ -14,9 +14,9 @@
 #include "core/subdiv/extraordinaryPatch.h"
 #include "core/subdiv/irregularPatch.h"
 #include "core/trace/bezierRows-inl.h"
+#include "core/trace/gridIntersection-inl.h"
+#include "core/trace/limitGrid-inl.h"
 #include "core/trace/patchRays-inl.h"
-#include "core/trace/quadBlock-inl.h"
-#include "core/trace/quadIntersection-inl.h"
 #include "core/trace/rayPacket.h"
 #include "core/trace/surface.h"
 #include "core/trace/traversal-inl.h"
@@ -54,14 +54,16 @@ inline void TurnGrid(const Vec3f from[16], int corner, Vec3f to[16]) {
 struct SubPatch {
     BezierRows bezier;
     Square square;
-    int splits;  ///< left until it is a quad
+    int splits;  ///< left until its quads
     int firstRay;
     bool isTransposed;
 };
 
-/// Intersects rays with the patches of one surface by Algorithm 1 of the paper: parts of a patch
-/// are culled or split, depth first, until they are quads. The control points are kept in Bezier
-/// form, whose hull is tight and whose corners are limit positions.
+/// Intersects rays with the patches of one surface. Where a patch is finer than a limit grid, its
+/// parts are culled or split, depth first, as in Algorithm 1 of the paper; then the grid of a part
+/// is evaluated at once, and of its blocks of quads only those that rays reach are intersected. The
+/// control points are kept in Bezier form, whose hull is tight and whose corners are limit
+/// positions.
 /// @tparam Rays     PacketRays or SingleRay
 /// @tparam kAnyHit  rays end at whatever they hit first, and hits are not recorded
 template <class Rays, bool kAnyHit>
@@ -83,9 +85,10 @@ class PatchIntersector {
         }
     }
 
-    void Intersect(uint32_t patch, int firstRay) {
+    /// @param box  of the patch, and firstRay the first ray that hits it
+    void Intersect(uint32_t patch, int firstRay, const Box3f& box) {
         _isShortened = false;
-        _IntersectPatch(patch, firstRay);
+        _IntersectPatch(patch, firstRay, box);
         if (_isShortened) {
             _rays.Shortened();
         }
@@ -97,8 +100,11 @@ class PatchIntersector {
   private:
     using Tag = typename Rays::Tag;
     static constexpr int kMaxSplits = 8;
+    /// Below this many rays each is tested against all blocks at once, else each block against all
+    /// rays at once.
+    static constexpr int kFewRays = 16;
 
-    void _IntersectPatch(uint32_t patch, int firstRay) {
+    void _IntersectPatch(uint32_t patch, int firstRay, const Box3f& box) {
         ++_statistics.leafIntersections;
         _patch = patch;
         const PatchTable& patches = _surface.Patches();
@@ -109,29 +115,57 @@ class PatchIntersector {
         }
         const int splits = _level - p.depth;
         const Square whole{0, 0, 1};
-        if (p.kind == PatchKind::Extraordinary) {
+        if (p.kind == PatchKind::Regular || p.kind == PatchKind::Bilinear) {
+            _tolerance = 0;
+            const BezierRows bezier(GatherBezier(patches, patch, _surface.PatchPoints().data()));
+            if (splits <= kMaxGridSplits) {
+                _IntersectRegular(bezier, {whole, false}, splits,
+                                  RaysThatHit(Tag(), _rays.rays, _From(firstRay), box));
+            } else {
+                _IntersectBezier(bezier, whole, splits, firstRay);
+            }
+            return;
+        }
+        _tolerance = RoundingTolerance(&box.lower, 2);
+        const LimitGridPlan* plan = _surface.Plans().Of(patch);
+        if (plan && splits <= kMaxGridSplits) {
+            LimitGrid grid;
+            _EvaluatePlanned(*plan, splits, &grid);
+            _IntersectWhole(grid, whole, RaysThatHit(Tag(), _rays.rays, _From(firstRay), box));
+        } else if (p.kind == PatchKind::Extraordinary) {
             ExtraordinaryPatch::Points points;
             _GatherExtraordinary(patches, &points);
-            _SetTolerance(points.data(), static_cast<int>(points.size()));
             _IntersectExtraordinary(ExtraordinaryPatch(points.data(), p.valence), 0, whole, splits,
                                     firstRay);
-            return;
+        } else {
+            _IntersectIrregular(GatherIrregular(patches, patch, _surface.PatchPoints().data()),
+                                whole, splits, firstRay);
         }
-        if (p.kind == PatchKind::Irregular) {
-            const IrregularPatch irregular =
-                GatherIrregular(patches, patch, _surface.PatchPoints().data());
-            const Box3f hull = irregular.HullBox();
-            _SetTolerance(&hull.lower, 2);
-            _IntersectIrregular(irregular, whole, splits, firstRay);
-            return;
-        }
-        const BezierPatch bezier = GatherBezier(patches, patch, _surface.PatchPoints().data());
-        _SetTolerance(&bezier.points[0][0], 16);
-        _IntersectBezier(bezier, whole, splits, firstRay);
     }
 
-    void _SetTolerance(const Vec3f* points, int count) {
-        _tolerance = RoundingTolerance(points, count);
+    /// A bit for each ray from the first on.
+    uint64_t _From(int firstRay) const {
+        const int count = _rays.rays.count;
+        return (~uint64_t(0) >> (kPacketSize - count)) & (~uint64_t(0) << firstRay);
+    }
+
+    void _EvaluatePlanned(const LimitGridPlan& plan, int splits, LimitGrid* grid) {
+        ControlPoints indices;
+        GatherControlPoints(_surface.Patches(), _patch, &indices);
+        const size_t count = plan.Picks().size();
+        InlineVector<float, 3 * 40> coordinates;
+        coordinates.resize(3 * count);
+        float* const relative[3] = {coordinates.begin(), coordinates.begin() + count,
+                                    coordinates.begin() + 2 * count};
+        const Vec3f* const points = _surface.PatchPoints().data();
+        const Vec3f base = points[indices[plan.Picks()[0]]];
+        for (size_t i = 0; i < count; ++i) {
+            const Vec3f p = points[indices[plan.Picks()[i]]] - base;
+            relative[0][i] = p.x;
+            relative[1][i] = p.y;
+            relative[2][i] = p.z;
+        }
+        EvaluateGrid(plan, base, relative, splits, grid);
     }
 
     void _GatherExtraordinary(const PatchTable& patches, ExtraordinaryPatch::Points* points) const {
@@ -162,8 +196,8 @@ class PatchIntersector {
             for (int i = 0; i < 3; ++i) {
                 Vec3f points[16];
                 TurnGrid(quarters.points[i], corner, points);
-                _IntersectBezier(BezierPatch::FromBSpline(points), square.Quarter(corner + 1 + i),
-                                 splits - 1, firstRay);
+                _IntersectBezier(BezierRows(BezierPatch::FromBSpline(points)),
+                                 square.Quarter(corner + 1 + i), splits - 1, firstRay);
             }
             square = square.Quarter(corner);
         }
@@ -178,7 +212,8 @@ class PatchIntersector {
     void _IntersectIrregular(const IrregularPatch& patch, Square square, int splits, int firstRay) {
         Vec3f bspline[16];
         if (patch.ToBSpline(bspline)) {
-            _IntersectBezier(BezierPatch::FromBSpline(bspline), square, splits, firstRay);
+            _IntersectBezier(BezierRows(BezierPatch::FromBSpline(bspline)), square, splits,
+                             firstRay);
             return;
         }
         ExtraordinaryPatch::Points points;
@@ -206,13 +241,23 @@ class PatchIntersector {
         }
     }
 
-    /// A quad of the last level whose box has not been tested yet.
     void _IntersectLimitQuad(const Vec3f corners[4], const Square& square, int firstRay) {
-        Box3f box;
-        for (int i = 0; i < 4; ++i) {
-            box.Extend(corners[i]);
+        LimitGrid grid;
+        grid.side = 1;
+        for (int axis = 0; axis < 3; ++axis) {
+            grid.points[axis][0][0] = corners[0][axis];
+            grid.points[axis][0][1] = corners[1][axis];
+            grid.points[axis][1][1] = corners[2][axis];
+            grid.points[axis][1][0] = corners[3][axis];
         }
-        _IntersectQuad(corners, _Widened(box), square, firstRay);
+        _IntersectWhole(grid, square, _From(firstRay));
+    }
+
+    /// Intersects rays with a grid that is evaluated already.
+    void _IntersectWhole(const LimitGrid& grid, const Square& square, uint64_t hitting) {
+        WideBoxes boxes;
+        MeasureBlocks(grid, _tolerance, &boxes);
+        _IntersectGrid(grid, boxes, {square, false}, hitting, [](int) {});
     }
 
     Box3f _Widened(const Box3f& box) const { return Widened(box, _tolerance); }
@@ -221,60 +266,26 @@ class PatchIntersector {
         return FirstRayIn(_rays, box, firstRay, &_statistics);
     }
 
-    void _IntersectBezier(const BezierPatch& bezier, const Square& square, int splits,
+    void _IntersectBezier(const BezierRows& bezier, const Square& square, int splits,
                           int firstRay) {
         // Each split leaves at most three parts behind.
-        SubPatch stack[3 * kMaxSplits + 1];
+        SubPatch stack[3 * (kMaxSplits - kMaxGridSplits) + 1];
         int count = 0;
-        stack[count++] = {BezierRows(bezier), square, splits, firstRay, false};
+        stack[count++] = {bezier, square, splits, firstRay, false};
         while (count > 0) {
-            SubPatch& part = stack[--count];
+            const SubPatch part = stack[--count];
             const Box3f box = _Widened(HullBox(part.bezier));
             const int first = _FirstRay(box, part.firstRay);
             if (first >= _rays.rays.count) {
                 continue;
             }
-            if (part.splits == 0) {
-                const Vec3f corners[4] = {
-                    part.bezier.Corner(0, 0),
-                    part.bezier.Corner(part.isTransposed, !part.isTransposed),
-                    part.bezier.Corner(1, 1),
-                    part.bezier.Corner(!part.isTransposed, part.isTransposed)};
-                _IntersectQuad(corners, box, part.square, first);
-                continue;
+            if (part.splits <= kMaxGridSplits) {
+                _IntersectRegular(part.bezier, {part.square, part.isTransposed}, part.splits,
+                                  RaysThatHit(Tag(), _rays.rays, _From(first), box));
+            } else {
+                ++_statistics.subdivisionsRegular;
+                _PushQuarters(part, first, stack, &count);
             }
-            if (part.splits == kBlockSplits) {
-                _IntersectBlock(part, RaysIn(_rays, box, first));
-                continue;
-            }
-            ++_statistics.subdivisionsRegular;
-            _PushQuarters(part, first, stack, &count);
-        }
-    }
-
-    /// The last levels of a part, evaluated whole, against the rays that reach its box.
-    void _IntersectBlock(const SubPatch& part, uint64_t hitting) {
-        ++_statistics.finalIntersections;
-        _statistics.activeLanes += hwy::PopCount(hitting);
-        QuadBlock block(part.bezier);
-        for (; hitting != 0; hitting &= hitting - 1) {
-            const int ray = __builtin_ctzll(hitting);
-            const BlockHit hit = block.Intersect(_rays.rays, ray, _tolerance);
-            if (!hit.isHit) {
-                continue;
-            }
-            _isShortened = true;
-            if (kAnyHit) {
-                ++_doneRays;
-                _rays.rays.tMax[ray] = -1;
-                continue;
-            }
-            _rays.rays.tMax[ray] = hit.t;
-            _hits->instance[ray] = _instance;
-            _hits->patch[ray] = _patch;
-            const Square& square = part.square;
-            _hits->u[ray] = square.u + square.size * (part.isTransposed ? hit.v : hit.u);
-            _hits->v[ray] = square.v + square.size * (part.isTransposed ? hit.u : hit.v);
         }
     }
 
@@ -294,68 +305,126 @@ class PatchIntersector {
         }
     }
 
-    /// The final intersection (paper, section 3.5): two triangles, and of the rays only those that
-    /// hit the quad's box, by vectors.
-    void _IntersectQuad(const Vec3f corners[4], const Box3f& box, const Square& square,
-                        int firstRay) {
-        ++_statistics.finalIntersections;
-        const Tag d;
-        const int lanes = static_cast<int>(hn::Lanes(d));
-        const float longest =
-            std::max(Length(corners[2] - corners[0]), Length(corners[3] - corners[1]));
-        for (int group = firstRay - firstRay % lanes; group < _rays.rays.count; group += lanes) {
-            if (hn::AllFalse(d, RaysHitBox(d, _rays.rays, group, box))) {
-                continue;
+    /// Where a grid lies in its patch. If it is transposed, its columns run along v.
+    struct GridPlace {
+        Square square;
+        bool isTransposed;
+    };
+
+    void _IntersectRegular(const BezierRows& bezier, const GridPlace& place, int splits,
+                           uint64_t hitting) {
+        if (hitting == 0) {
+            return;
+        }
+        LimitGrid grid;
+        BezierGrid bezierGrid(bezier, splits, &grid);
+        WideBoxes boxes;
+        bezierGrid.MeasureBlocks(&boxes);
+        _IntersectGrid(grid, boxes, place, hitting,
+                       [&](int blockRow) { bezierGrid.Require(blockRow); });
+    }
+
+    /// @param hitting  a bit for each ray that may hit the grid
+    /// @param require  called with a row of blocks before its points are read
+    template <class Require>
+    void _IntersectGrid(const LimitGrid& grid, const WideBoxes& boxes, const GridPlace& place,
+                        uint64_t hitting, const Require& require) {
+        _statistics.boxTests += boxes.count;
+        const int blocksAlongSide = grid.BlocksAlongSide();
+        const auto intersect = [&](int block, uint64_t rays) {
+            if (rays != 0) {
+                require(block / blocksAlongSide);
+                _IntersectBlock(grid, block, place, rays);
             }
-            _statistics.activeLanes += lanes;
-            const RayLanes<Tag> rays(d, _rays.rays, group);
-            const auto slack = hn::Mul(hn::Set(d, 2 * _tolerance * longest),
-                                       hn::Load(d, _rays.rays.length + group));
-            const CornerLanes<Tag> c0(d, rays, corners[0]), c1(d, rays, corners[1]),
-                c2(d, rays, corners[2]), c3(d, rays, corners[3]);
-            const auto tMin = hn::Load(d, _rays.rays.tMin + group);
-            const auto lower = IntersectTriangle(d, rays, c0, c1, c2, slack, tMin,
-                                                 hn::Load(d, _rays.rays.tMax + group));
-            _isShortened |= _Record(group, lower, square, true);
-            const auto upper = IntersectTriangle(d, rays, c0, c2, c3, slack, tMin,
-                                                 hn::Load(d, _rays.rays.tMax + group));
-            _isShortened |= _Record(group, upper, square, false);
+        };
+        if (hwy::PopCount(hitting) <= kFewRays) {
+            _SortByRays(boxes, hitting, intersect);
+        } else {
+            _SortByBlocks(boxes, hitting, intersect);
         }
     }
 
-    /// Notes the hits of a group of rays on a triangle, where they are nearer than what the rays
-    /// have. The triangle is (0,0) (1,0) (1,1) of the quad if isLower is set, else (0,0) (1,1)
-    /// (0,1).
-    bool _Record(int group, const TriangleHit<Tag>& hit, const Square& square, bool isLower) {
-        const Tag d;
-        if (hn::AllFalse(d, hit.hit)) {
-            return false;
+    template <class IntersectBlock>
+    HWY_INLINE void _SortByRays(const WideBoxes& boxes, uint64_t hitting,
+                                const IntersectBlock& intersect) {
+        uint64_t raysOfBlock[kBvhWidth] = {};
+        uint32_t blocks = 0;
+        for (; hitting != 0; hitting &= hitting - 1) {
+            const int ray = __builtin_ctzll(hitting);
+            const uint32_t mask = BoxesThatRayHits(boxes, _rays.rays, ray).mask;
+            blocks |= mask;
+            for (uint32_t rest = mask; rest != 0; rest &= rest - 1) {
+                raysOfBlock[__builtin_ctz(rest)] |= uint64_t(1) << ray;
+            }
         }
-        float* tMax = _rays.rays.tMax + group;
+        for (; blocks != 0; blocks &= blocks - 1) {
+            const int block = __builtin_ctz(blocks);
+            intersect(block, raysOfBlock[block]);
+        }
+    }
+
+    template <class IntersectBlock>
+    HWY_INLINE void _SortByBlocks(const WideBoxes& boxes, uint64_t hitting,
+                                  const IntersectBlock& intersect) {
+        for (uint32_t blocks = _rays.HitBoxes(boxes).mask; blocks != 0; blocks &= blocks - 1) {
+            const int block = __builtin_ctz(blocks);
+            intersect(block, RaysThatHit(Tag(), _rays.rays, hitting, boxes.At(block)));
+        }
+    }
+
+    void _IntersectBlock(const LimitGrid& grid, int block, const GridPlace& place,
+                         uint64_t hitting) {
+        const ObjectRays& rays = _rays.rays;
+        const Vec3f pinhole{rays.originX[0], rays.originY[0], rays.originZ[0]};
+        for (int axis = 0; axis < 3; ++axis) {
+            const uint64_t along = hitting & rays.longestAlong[axis];
+            if (along == 0) {
+                continue;
+            }
+            ++_statistics.finalIntersections;
+            _statistics.activeLanes += hwy::PopCount(along);
+            const QuadBlock quads(grid, block, axis, _tolerance,
+                                  rays.isPinhole ? &pinhole : nullptr);
+            if (rays.isPinhole) {
+                _IntersectQuads<true>(axis, quads, grid.side, place, along);
+            } else {
+                _IntersectQuads<false>(axis, quads, grid.side, place, along);
+            }
+        }
+    }
+
+    /// @param axis  the one that all rays are longest along
+    template <bool kIsPinhole>
+    void _IntersectQuads(int axis, const QuadBlock& quads, int side, const GridPlace& place,
+                         uint64_t hitting) {
+        const ObjectRays& rays = _rays.rays;
+        const float* const origins[3] = {rays.originX, rays.originY, rays.originZ};
+        for (; hitting != 0; hitting &= hitting - 1) {
+            const int ray = __builtin_ctzll(hitting);
+            const float origin[3] = {origins[(axis + 1) % 3][ray], origins[(axis + 2) % 3][ray],
+                                     origins[axis][ray]};
+            const float shear[3] = {rays.shear[0][ray], rays.shear[1][ray], rays.shear[2][ray]};
+            BlockHit hit;
+            if (quads.Intersect<kIsPinhole>(origin, shear, rays.tMin[ray], rays.tMax[ray], &hit)) {
+                _Record(ray, hit, side, place);
+            }
+        }
+    }
+
+    void _Record(int ray, const BlockHit& hit, int side, const GridPlace& place) {
+        _isShortened = true;
         if (kAnyHit) {
-            _doneRays += static_cast<int>(hn::CountTrue(d, hit.hit));
-            hn::Store(hn::IfThenElse(hit.hit, hn::Set(d, -1.0f), hn::Load(d, tMax)), d, tMax);
-            return true;
+            ++_doneRays;
+            _rays.rays.tMax[ray] = -1;
+            return;
         }
-        hn::Store(hn::IfThenElse(hit.hit, hit.t, hn::Load(d, tMax)), d, tMax);
-        const auto both = hn::Min(hn::Add(hit.weightB, hit.weightC), hn::Set(d, 1.0f));
-        const auto quadU = isLower ? both : hit.weightB;
-        const auto quadV = isLower ? hit.weightC : both;
-        const auto scale = hn::Set(d, square.size);
-        hn::Store(hn::IfThenElse(hit.hit, hn::Add(hn::Set(d, square.u), hn::Mul(scale, quadU)),
-                                 hn::Load(d, _hits->u + group)),
-                  d, _hits->u + group);
-        hn::Store(hn::IfThenElse(hit.hit, hn::Add(hn::Set(d, square.v), hn::Mul(scale, quadV)),
-                                 hn::Load(d, _hits->v + group)),
-                  d, _hits->v + group);
-        const hn::RebindToUnsigned<Tag> du;
-        const auto mask = hn::RebindMask(du, hit.hit);
-        hn::Store(hn::IfThenElse(mask, hn::Set(du, _patch), hn::Load(du, _hits->patch + group)), du,
-                  _hits->patch + group);
-        hn::Store(
-            hn::IfThenElse(mask, hn::Set(du, _instance), hn::Load(du, _hits->instance + group)), du,
-            _hits->instance + group);
-        return true;
+        _rays.rays.tMax[ray] = hit.t;
+        _hits->instance[ray] = _instance;
+        _hits->patch[ray] = _patch;
+        const Square& square = place.square;
+        const float scale = square.size / static_cast<float>(side);
+        _hits->u[ray] = square.u + scale * (place.isTransposed ? hit.v : hit.u);
+        _hits->v[ray] = square.v + scale * (place.isTransposed ? hit.u : hit.v);
     }
 
     const Surface& _surface;

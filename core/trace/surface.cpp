@@ -9,6 +9,7 @@ namespace cc {
 
 Surface::Surface(const ControlMesh& mesh, const std::vector<Vec3f>& points) {
     _patches = BuildPatchTable(mesh, points.size(), &_error);
+    _plans = LimitGridPlans(_patches);
     SetPoints(points);
 }
 
@@ -22,7 +23,8 @@ void Surface::SetPoints(const std::vector<Vec3f>& points) {
 }
 
 size_t Surface::Bytes() const {
-    return _patches.Bytes() + _patchPoints.capacity() * sizeof(Vec3f) + _bvh.Bytes();
+    return _patches.Bytes() + _patchPoints.capacity() * sizeof(Vec3f) + _bvh.Bytes() +
+           _plans.Bytes();
 }
 
 }  // namespace cc

@@ -7,6 +7,7 @@
 #include "core/bvh/bvh.h"
 #include "core/math/box.h"
 #include "core/subdiv/controlMesh.h"
+#include "core/subdiv/limitGridPlan.h"
 #include "core/subdiv/patchTable.h"
 
 namespace cc {
@@ -25,6 +26,7 @@ class Surface {
     const std::string& Error() const { return _error; }
 
     const PatchTable& Patches() const { return _patches; }
+    const LimitGridPlans& Plans() const { return _plans; }
     /// The control points of the patches: cage points first, then those that refinement added.
     const std::vector<Vec3f>& PatchPoints() const { return _patchPoints; }
     const Bvh& PatchBvh() const { return _bvh; }
@@ -36,6 +38,7 @@ class Surface {
   private:
     std::string _error;
     PatchTable _patches;
+    LimitGridPlans _plans;
     std::vector<Vec3f> _patchPoints;
     Bvh _bvh;
 };

@@ -22,8 +22,8 @@ void TracePatches(const InstanceBvh& instances, int level, const RayPacket& worl
                              PatchIntersector<Rays, kAnyHit> intersector(surface, instance, level,
                                                                          rays, hits, statistics);
                              TraverseBvh(surface.PatchBvh(), rays, statistics,
-                                         [&](uint32_t patch, int firstRay) {
-                                             intersector.Intersect(patch, firstRay);
+                                         [&](uint32_t patch, int firstRay, const Box3f& box) {
+                                             intersector.Intersect(patch, firstRay, box);
                                              return !intersector.IsDone();
                                          });
                              return !intersector.IsDone();

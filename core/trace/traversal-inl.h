@@ -25,7 +25,7 @@ struct PacketRays {
 
     explicit PacketRays(ObjectRays* rays) : rays(*rays), interval(*rays) {}
 
-    NodeHits HitChildren(const BvhNode& node) const { return NodeHitsOfPacket(node, interval); }
+    WideHits HitBoxes(const WideBoxes& boxes) const { return BoxesThatPacketHits(boxes, interval); }
     bool Culls(const Box3f& box) const { return interval.Culls(box); }
     bool IsBeyond(float distance) const {
         return interval.IsValid() && distance > interval.Reach();
@@ -42,7 +42,7 @@ struct SingleRay {
 
     explicit SingleRay(ObjectRays* rays) : rays(*rays) {}
 
-    NodeHits HitChildren(const BvhNode& node) const { return NodeHitsOfRay(node, rays); }
+    WideHits HitBoxes(const WideBoxes& boxes) const { return BoxesThatRayHits(boxes, rays, 0); }
     bool Culls(const Box3f&) const { return false; }
     bool IsBeyond(float distance) const { return distance > rays.tMax[0]; }
     void Shortened() {}
@@ -50,15 +50,16 @@ struct SingleRay {
     ObjectRays& rays;
 };
 
-/// Walks a BVH depth first, nearest child first, and calls leaf(primitive, firstRay) for every
+/// Walks a BVH depth first, nearest child first, and calls leaf(primitive, firstRay, box) for every
 /// primitive whose box a ray hits; firstRay is the first that does. The walk ends when leaf
 /// returns false.
 template <class Rays, class Leaf>
 HWY_INLINE void TraverseBvh(const Bvh& bvh, Rays* rays, TraceStatistics* statistics,
                             const Leaf& leaf) {
+    // Not a Box3f, which a stack of them would make empty first.
     struct Entry {
-        const BvhNode* node;
-        int slot;
+        float lower[3], upper[3];
+        uint32_t child;
         int firstRay;
         float distance;
     };
@@ -69,7 +70,9 @@ HWY_INLINE void TraverseBvh(const Bvh& bvh, Rays* rays, TraceStatistics* statist
 
     const auto pushChildren = [&](const BvhNode& node, int firstRay) {
         ++statistics->traversals;
-        const NodeHits hits = rays->HitChildren(node);
+        WideBoxes boxes;
+        DecodeBoxes(node, &boxes);
+        const WideHits hits = rays->HitBoxes(boxes);
         const int bottom = size;
         for (uint32_t mask = hits.mask; mask != 0; mask &= mask - 1) {
             const int slot = __builtin_ctz(mask);
@@ -78,7 +81,11 @@ HWY_INLINE void TraverseBvh(const Bvh& bvh, Rays* rays, TraceStatistics* statist
             for (; at > bottom && stack[at - 1].distance < hits.distance[slot]; --at) {
                 stack[at] = stack[at - 1];
             }
-            stack[at] = {&node, slot, firstRay, hits.distance[slot]};
+            stack[at] = {{boxes.lower[0][slot], boxes.lower[1][slot], boxes.lower[2][slot]},
+                         {boxes.upper[0][slot], boxes.upper[1][slot], boxes.upper[2][slot]},
+                         node.child[slot],
+                         firstRay,
+                         hits.distance[slot]};
         }
     };
 
@@ -91,19 +98,16 @@ HWY_INLINE void TraverseBvh(const Bvh& bvh, Rays* rays, TraceStatistics* statist
         if (rays->IsBeyond(entry.distance)) {
             continue;
         }
-        const BvhNode& node = *entry.node;
-        const int slot = entry.slot;
         Box3f box;
-        box.lower = {node.lowerX[slot], node.lowerY[slot], node.lowerZ[slot]};
-        box.upper = {node.upperX[slot], node.upperY[slot], node.upperZ[slot]};
+        box.lower = {entry.lower[0], entry.lower[1], entry.lower[2]};
+        box.upper = {entry.upper[0], entry.upper[1], entry.upper[2]};
         const int firstRay = FirstRayThatHits(d, rays->rays, entry.firstRay, box);
         if (firstRay >= rays->rays.count) {
             continue;
         }
-        const uint32_t child = node.child[slot];
-        if ((child & kBvhLeaf) == 0) {
-            pushChildren(bvh.Nodes()[child], firstRay);
-        } else if (!leaf(child & ~kBvhLeaf, firstRay)) {
+        if ((entry.child & kBvhLeaf) == 0) {
+            pushChildren(bvh.Nodes()[entry.child], firstRay);
+        } else if (!leaf(entry.child & ~kBvhLeaf, firstRay, box)) {
             return;
         }
     }

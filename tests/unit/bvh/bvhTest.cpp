@@ -24,27 +24,29 @@ std::vector<Box3f> RandomBoxes(int count) {
     return boxes;
 }
 
-Box3f SlotBox(const BvhNode& node, int slot) {
-    Box3f box;
-    box.lower = {node.lowerX[slot], node.lowerY[slot], node.lowerZ[slot]};
-    box.upper = {node.upperX[slot], node.upperY[slot], node.upperZ[slot]};
-    return box;
-}
-
 bool Holds(const Box3f& outer, const Box3f& inner) {
     Box3f both = outer;
     both.Extend(inner);
     return both.lower == outer.lower && both.upper == outer.upper;
 }
 
-/// Checks boxes and child order below a node, and collects the primitives.
+Box3f Common(const Box3f& a, const Box3f& b) {
+    Box3f box;
+    for (int axis = 0; axis < 3; ++axis) {
+        box.lower[axis] = std::max(a.lower[axis], b.lower[axis]);
+        box.upper[axis] = std::min(a.upper[axis], b.upper[axis]);
+    }
+    return box;
+}
+
+/// Checks that all boxes above a primitive hold it, and collects the primitives.
+/// @param bounds  what the boxes above the node have in common
 void Visit(const Bvh& bvh, uint32_t index, const Box3f& bounds, const std::vector<Box3f>& boxes,
            int depth, std::multiset<uint32_t>* found) {
     ASSERT_LE(depth, kBvhMaxDepth);
     const BvhNode& node = bvh.Nodes()[index];
     for (int slot = 0; slot < node.childCount; ++slot) {
-        const Box3f box = SlotBox(node, slot);
-        EXPECT_TRUE(Holds(bounds, box));
+        const Box3f box = Common(bounds, node.ChildBox(slot));
         if (node.child[slot] & kBvhLeaf) {
             const uint32_t primitive = node.child[slot] & ~kBvhLeaf;
             EXPECT_TRUE(Holds(box, boxes[primitive]));

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "core/math/inlineVector.h"
+#include "core/subdiv/cubicWeights.h"
+#include "core/subdiv/patchTable.h"
+
+namespace cc {
+
+/// How the finest limit grid of a patch follows from its control points: every point is a weighted
+/// sum of them. The weights depend on topology and tags alone, so that all patches with the same
+/// 1-ring share a plan; with one, an extraordinary or creased patch is evaluated without any
+/// subdivision.
+class LimitGridPlan {
+  public:
+    /// Weights are in the order of a limit grid: rows 0..16 of columns 0..15, then column 16 of all
+    /// rows; padded to a multiple of 64.
+    static constexpr int kWeightCount = (kMaxGridSide + 4) * kMaxGridSide;
+
+    /// @param picks    the control points that count, by their places in ControlPoints
+    /// @param weights  kWeightCount for each pick
+    LimitGridPlan(std::vector<uint16_t> picks, std::vector<float> weights)
+        : _picks(std::move(picks)), _weights(std::move(weights)) {}
+
+    const std::vector<uint16_t>& Picks() const { return _picks; }
+    const float* Weights(size_t pick) const { return &_weights[pick * kWeightCount]; }
+    size_t Bytes() const {
+        return _picks.capacity() * sizeof(uint16_t) + _weights.capacity() * sizeof(float);
+    }
+
+  private:
+    std::vector<uint16_t> _picks;
+    std::vector<float> _weights;
+};
+
+/// Patch points by their index; those of common patches need no allocation.
+using ControlPoints = InlineVector<uint32_t, 64>;
+
+/// All points that shape an extraordinary or irregular patch, some of them more than once: for an
+/// irregular patch the rings of its corners, closed ones from the patch's own face on, so that the
+/// order is the same wherever the same 1-ring occurs.
+void GatherControlPoints(const PatchTable& patches, uint32_t patch, ControlPoints* points);
+
+/// The plans of a patch table. Equal plans are made once in the process and live as long as any
+/// table that uses them.
+class LimitGridPlans {
+  public:
+    LimitGridPlans() = default;
+    /// Plans for the commonest 1-rings first, as long as they stay small beside the table. Patches
+    /// with other 1-rings have no plan and are subdivided where rays meet them.
+    explicit LimitGridPlans(const PatchTable& patches);
+
+    /// Null for regular and bilinear patches, and for those without a plan.
+    const LimitGridPlan* Of(uint32_t patch) const {
+        const uint32_t plan = _planOfPatch.empty() ? 0 : _planOfPatch[patch];
+        return plan == 0 ? nullptr : _plans[plan - 1].get();
+    }
+    /// Memory held, in bytes, without the plans themselves.
+    size_t Bytes() const;
+    /// Memory of all plans in the process, in bytes.
+    static size_t SharedBytes();
+
+  private:
+    std::vector<std::shared_ptr<const LimitGridPlan>> _plans;
+    /// Number of the plan plus one, or 0. Empty if no patch has one.
+    std::vector<uint16_t> _planOfPatch;
+};
+
+}  // namespace cc
