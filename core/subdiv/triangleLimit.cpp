@@ -66,7 +66,8 @@ int NearestCorner(float u, float v) {
     return w >= u && w >= v ? 0 : u >= v ? 1 : 2;
 }
 
-/// Evaluates a triangle if it is regular, or at a corner that has masks. Returns false otherwise.
+/// Evaluates a triangle if it is regular, or at a corner whose masks are exact. Returns false
+/// otherwise.
 bool EvaluateIfSimple(const IrregularTriangle& patch, float u, float v, LimitPoint* point) {
     Vec3f spline[12];
     if (patch.ToBoxSpline(spline)) {
@@ -74,9 +75,10 @@ bool EvaluateIfSimple(const IrregularTriangle& patch, float u, float v, LimitPoi
         return true;
     }
     const int nearest = NearestCorner(u, v);
+    const TriangleRing& ring = patch.rings[nearest];
     Vec3f unused[2];
-    if (IsCorner(u, v) &&
-        patch.rings[nearest].LimitTangents(patch.faces[nearest], &unused[0], &unused[1])) {
+    if (IsCorner(u, v) && ring.VertexRule() != RingTags::Rule::Corner &&
+        ring.LimitTangents(patch.faces[nearest], &unused[0], &unused[1])) {
         *point = EvaluateCorner(patch, nearest);
         return true;
     }

@@ -28,9 +28,8 @@ struct TriangleRing : RingTags {
 
     /// Tangents of the surface at the settled vertex, of arbitrary length, towards the two edges of
     /// a face; their cross product points along the outward normal. In a corner of several faces
-    /// they are the face's own edges, as OpenSubdiv has it. Returns false if no mask is known: at a
-    /// dart, on a crease that the ring does not have whole, or where a smooth boundary has a
-    /// single face.
+    /// they are the face's own edges, which come near the tangents as the vertex is refined.
+    /// Returns false if no mask is known: at a dart, or where a smooth boundary has a single face.
     bool LimitTangents(int face, Vec3f* towardsEdge, Vec3f* towardsNextEdge) const;
 
     /// Moves all points.

@@ -49,6 +49,28 @@ Cage WithCorner(Cage cage, int vertex, float sharpness, const std::string& name)
     return Named(std::move(cage), name);
 }
 
+Cage Triangulated(const Cage& cage) {
+    Cage result = cage;
+    result.mesh.scheme = Scheme::Loop;
+    result.mesh.faceVertexCounts.clear();
+    result.mesh.faceVertexIndices.clear();
+    result.mesh.holeIndices.clear();
+    const std::vector<int>& holes = cage.mesh.holeIndices;
+    const int* vertices = cage.mesh.faceVertexIndices.data();
+    for (int face = 0; face < cage.mesh.FaceCount(); ++face) {
+        const bool isHole = std::find(holes.begin(), holes.end(), face) != holes.end();
+        const int count = cage.mesh.faceVertexCounts[face];
+        for (int i = 2; i < count; ++i) {
+            if (isHole) {
+                result.mesh.holeIndices.push_back(result.mesh.FaceCount());
+            }
+            AddFace(&result, {vertices[0], vertices[i - 1], vertices[i]});
+        }
+        vertices += count;
+    }
+    return result;
+}
+
 Cage FromFaces(const std::string& name, const std::vector<std::vector<int>>& faces) {
     Cage cage;
     cage.name = name;

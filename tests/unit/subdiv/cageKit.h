@@ -22,6 +22,10 @@ Cage WithCrease(Cage cage, const std::vector<int>& vertices, float sharpness,
 Cage WithCorner(Cage cage, int vertex, float sharpness, const std::string& name);
 Cage WithHoles(Cage cage, const std::vector<int>& holes, const std::string& name);
 
+/// A cage under the Loop scheme, with the same points and tags: its faces are cut into triangles,
+/// from their first corner on.
+Cage Triangulated(const Cage& cage);
+
 /// A cage of these faces over points that lie on no plane.
 Cage FromFaces(const std::string& name, const std::vector<std::vector<int>>& faces);
 

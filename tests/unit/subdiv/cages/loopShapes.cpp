@@ -7,27 +7,13 @@ namespace {
 
 constexpr float kTwoPi = 6.28318530718f;
 
-/// Faces cut into triangles, from their first corner on, under the Loop scheme.
-Cage Triangulated(const Cage& cage) {
-    Cage result;
-    result.name = "loop " + cage.name;
-    result.points = cage.points;
-    result.mesh.scheme = Scheme::Loop;
-    const int* face = cage.mesh.faceVertexIndices.data();
-    for (int count : cage.mesh.faceVertexCounts) {
-        for (int i = 2; i < count; ++i) {
-            AddFace(&result, {face[0], face[i - 1], face[i]});
-        }
-        face += count;
-    }
-    return result;
-}
-
 }  // namespace
 
-Cage TriangleSheet(int n) { return Triangulated(Sheet(n)); }
+Cage TriangleSheet(int n) { return Named(Triangulated(Sheet(n)), "loop sheet"); }
 
-Cage TriangleTorus(int around, int across) { return Triangulated(Torus(around, across)); }
+Cage TriangleTorus(int around, int across) {
+    return Named(Triangulated(Torus(around, across)), "loop torus");
+}
 
 Cage TriangleFan(int valence) {
     Cage cage;
@@ -100,11 +86,20 @@ Cage LoopIcosahedron() {
 std::vector<Cage> LoopShapeCages() {
     Cage tetrahedron = Named(Tetrahedron(), "loop tetrahedron");
     tetrahedron.mesh.scheme = Scheme::Loop;
-    std::vector<Cage> cages{tetrahedron,         LoopOctahedron(),     LoopIcosahedron(),
-                            TriangleTorus(8, 6), TriangleTorus(3, 3),  TriangleSheet(1),
-                            TriangleSheet(4),    Triangulated(Cube()), Triangulated(Drum(9)),
-                            OpenTriangleFan(1),  OpenTriangleFan(2),   OpenTriangleFan(3),
-                            OpenTriangleFan(4),  OpenTriangleFan(7)};
+    std::vector<Cage> cages{tetrahedron,
+                            LoopOctahedron(),
+                            LoopIcosahedron(),
+                            TriangleTorus(8, 6),
+                            TriangleTorus(3, 3),
+                            TriangleSheet(1),
+                            TriangleSheet(4),
+                            Named(Triangulated(Cube()), "loop cube"),
+                            Named(Triangulated(Drum(9)), "loop drum"),
+                            OpenTriangleFan(1),
+                            OpenTriangleFan(2),
+                            OpenTriangleFan(3),
+                            OpenTriangleFan(4),
+                            OpenTriangleFan(7)};
     for (int valence : {3, 4, 5, 6, 7, 9, 12, 40}) {
         cages.push_back(TriangleFan(valence));
     }
