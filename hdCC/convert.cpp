@@ -2,8 +2,18 @@
 
 #include <cmath>
 
+#include "pxr/base/gf/half.h"
+#include "pxr/base/gf/vec2d.h"
+#include "pxr/base/gf/vec2f.h"
+#include "pxr/base/gf/vec2h.h"
+#include "pxr/base/gf/vec2i.h"
 #include "pxr/base/gf/vec3d.h"
 #include "pxr/base/gf/vec3h.h"
+#include "pxr/base/gf/vec3i.h"
+#include "pxr/base/gf/vec4d.h"
+#include "pxr/base/gf/vec4f.h"
+#include "pxr/base/gf/vec4h.h"
+#include "pxr/base/gf/vec4i.h"
 #include "pxr/base/tf/token.h"
 
 PXR_NAMESPACE_OPEN_SCOPE
@@ -39,6 +49,48 @@ bool HdCCToVec3fs(VtValue const &value, std::vector<cc::Vec3f> *result) {
     result->clear();
     return value.IsEmpty() || _AppendIfHeld<GfVec3f>(value, result) ||
            _AppendIfHeld<GfVec3d>(value, result) || _AppendIfHeld<GfVec3h>(value, result);
+}
+
+/// @tparam T  a number if kArity is 1, else a vector of Gf
+template <int kArity, class T>
+static void _AppendNumbers(T const &value, std::vector<float> *numbers) {
+    if constexpr (kArity == 1) {
+        numbers->push_back(float(value));
+    } else {
+        for (int i = 0; i < kArity; ++i) {
+            numbers->push_back(float(value[i]));
+        }
+    }
+}
+
+template <int kArity, class T>
+static bool _ReadIfHeld(VtValue const &value, int *arity, std::vector<float> *numbers) {
+    if (value.IsHolding<T>()) {
+        _AppendNumbers<kArity>(value.UncheckedGet<T>(), numbers);
+    } else if (value.IsHolding<VtArray<T>>()) {
+        VtArray<T> const &values = value.UncheckedGet<VtArray<T>>();
+        numbers->reserve(values.size() * kArity);
+        for (T const &element : values) {
+            _AppendNumbers<kArity>(element, numbers);
+        }
+    } else {
+        return false;
+    }
+    *arity = kArity;
+    return true;
+}
+
+template <int kArity, class... Types>
+static bool _ReadAnyHeld(VtValue const &value, int *arity, std::vector<float> *numbers) {
+    return (_ReadIfHeld<kArity, Types>(value, arity, numbers) || ...);
+}
+
+bool HdCCToNumbers(VtValue const &value, int *arity, std::vector<float> *numbers) {
+    numbers->clear();
+    return value.IsEmpty() || _ReadAnyHeld<1, float, double, GfHalf, int>(value, arity, numbers) ||
+           _ReadAnyHeld<2, GfVec2f, GfVec2d, GfVec2h, GfVec2i>(value, arity, numbers) ||
+           _ReadAnyHeld<3, GfVec3f, GfVec3d, GfVec3h, GfVec3i>(value, arity, numbers) ||
+           _ReadAnyHeld<4, GfVec4f, GfVec4d, GfVec4h, GfVec4i>(value, arity, numbers);
 }
 
 static bool _ToScheme(TfToken const &token, cc::Scheme *scheme) {

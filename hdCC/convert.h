@@ -31,6 +31,12 @@ cc::AffineTransform HdCCToTransform(GfMatrix4d const &m);
 /// Returns false if the value holds anything else; an empty value gives an empty list.
 bool HdCCToVec3fs(VtValue const &value, std::vector<cc::Vec3f> *result);
 
+/// Reads numbers, or vectors of two to four of them, of any precision, one or an array of them.
+/// @param arity    set to the numbers a value
+/// @param numbers  set to the numbers of all values, one value after the other
+/// Returns false if the value holds anything else; an empty value gives no numbers.
+bool HdCCToNumbers(VtValue const &value, int *arity, std::vector<float> *numbers);
+
 /// Returns false if the renderer knows no such scheme.
 bool HdCCToControlMesh(HdMeshTopology const &topology, PxOsdSubdivTags const &tags,
                        cc::ControlMesh *mesh);

@@ -14,9 +14,10 @@ PXR_NAMESPACE_OPEN_SCOPE
 
 TF_DEFINE_PRIVATE_TOKENS(_tokens, (points)(displayColor));
 
-HdCCMesh::HdCCMesh(SdfPath const &id, cc::Scene *scene)
-    : HdMesh(id), _mesh(scene->AddMesh(id.GetString())) {
+HdCCMesh::HdCCMesh(SdfPath const &id, HdCCRenderParam *param)
+    : HdMesh(id), _mesh(param->GetScene()->AddMesh(id.GetString())) {
     _mesh->SetVisible(false);
+    param->AddMesh(this);
 }
 
 HdDirtyBits HdCCMesh::GetInitialDirtyBitsMask() const {
@@ -48,6 +49,7 @@ void HdCCMesh::Sync(HdSceneDelegate *delegate, HdRenderParam *param, HdDirtyBits
                     TfToken const &) {
     const HdCCRenderParam::SyncScope scope(param);
     const HdDirtyBits bits = *dirtyBits;
+    _delegate = delegate;
 
     if (bits & HdChangeTracker::DirtyPrimID) {
         _mesh->SetPrimId(GetPrimId());
@@ -59,7 +61,11 @@ void HdCCMesh::Sync(HdSceneDelegate *delegate, HdRenderParam *param, HdDirtyBits
         _SyncPoints(delegate);
     }
     if (bits & HdChangeTracker::DirtyPrimvar) {
-        _SyncDisplayColor(delegate);
+        TfTokenVector names = static_cast<HdCCRenderParam *>(param)->GetPrimvarsAskedFor();
+        names.push_back(_tokens->displayColor);
+        for (TfToken const &name : names) {
+            _SyncPrimvar(delegate, name);
+        }
     }
     if (bits & HdChangeTracker::DirtyTransform) {
         _mesh->SetTransform(HdCCToTransform(delegate->GetTransform(GetId())));
@@ -137,23 +143,31 @@ static bool _FindPrimvar(HdSceneDelegate *delegate, SdfPath const &id, TfToken c
     return false;
 }
 
-void HdCCMesh::_SyncDisplayColor(HdSceneDelegate *delegate) {
-    cc::Primvar3f color;
-    HdPrimvarDescriptor primvar;
-    if (_FindPrimvar(delegate, GetId(), _tokens->displayColor, &primvar)) {
+void HdCCMesh::_SyncPrimvar(HdSceneDelegate *delegate, TfToken const &name) {
+    cc::Primvar primvar;
+    HdPrimvarDescriptor descriptor;
+    if (_FindPrimvar(delegate, GetId(), name, &descriptor)) {
         VtIntArray indices;
-        const VtValue value = primvar.indexed
-                                  ? delegate->GetIndexedPrimvar(GetId(), primvar.name, &indices)
-                                  : delegate->Get(GetId(), primvar.name);
-        color.interpolation = _ToInterpolation(primvar.interpolation);
-        color.indices.assign(indices.cbegin(), indices.cend());
-        if (!HdCCToVec3fs(value, &color.values)) {
-            TF_WARN("<%s>: primvars:displayColor has the type %s, not color3f[]; it is ignored",
-                    GetId().GetText(), value.GetTypeName().c_str());
-            color = cc::Primvar3f();
+        const VtValue value = descriptor.indexed
+                                  ? delegate->GetIndexedPrimvar(GetId(), name, &indices)
+                                  : delegate->Get(GetId(), name);
+        primvar.interpolation = _ToInterpolation(descriptor.interpolation);
+        primvar.indices.assign(indices.cbegin(), indices.cend());
+        if (!HdCCToNumbers(value, &primvar.arity, &primvar.values)) {
+            TF_WARN(
+                "<%s>: primvars:%s has the type %s, which is no float, int or vector of them; "
+                "it is ignored",
+                GetId().GetText(), name.GetText(), value.GetTypeName().c_str());
+            primvar = cc::Primvar();
         }
     }
-    _mesh->SetDisplayColor(std::move(color));
+    _mesh->SetPrimvar(name.GetString(), std::move(primvar));
+}
+
+void HdCCMesh::SyncLatePrimvar(TfToken const &name) {
+    if (_delegate && name != _tokens->displayColor) {
+        _SyncPrimvar(_delegate, name);
+    }
 }
 
 void HdCCMesh::_SyncSides(HdSceneDelegate *delegate) {
@@ -188,6 +202,7 @@ void HdCCMesh::UpdateRenderTag(HdSceneDelegate *delegate, HdRenderParam *param) 
 
 void HdCCMesh::Finalize(HdRenderParam *param) {
     HdCCRenderParam *const shared = static_cast<HdCCRenderParam *>(param);
+    shared->RemoveMesh(this);
     shared->GetScene()->RemoveMesh(_mesh);
     shared->MarkSceneChanged();
     _mesh = nullptr;

@@ -1,25 +1,30 @@
 #ifndef HDCC_MESH_H
 #define HDCC_MESH_H
 
-#include "core/scene/scene.h"
+#include "core/scene/mesh.h"
 
 #include "pxr/imaging/hd/mesh.h"
 #include "pxr/pxr.h"
 
 PXR_NAMESPACE_OPEN_SCOPE
 
+class HdCCRenderParam;
+
 /// A UsdGeomMesh: hands the scene's mesh what changed, and nothing else.
 ///
 /// The refine level (usdview's complexity) plays no part: the limit surface is always shown.
 class HdCCMesh final : public HdMesh {
   public:
-    /// Meshes are made one after the other, so the scene's order is that of the render index.
-    HdCCMesh(SdfPath const &id, cc::Scene *scene);
+    HdCCMesh(SdfPath const &id, HdCCRenderParam *param);
 
     void Sync(HdSceneDelegate *delegate, HdRenderParam *param, HdDirtyBits *dirtyBits,
               TfToken const &repr) override;
     void UpdateRenderTag(HdSceneDelegate *delegate, HdRenderParam *param) override;
     void Finalize(HdRenderParam *param) override;
+
+    /// Syncs a primvar that is asked for after the mesh was synced; if it has not been, nothing.
+    void SyncLatePrimvar(TfToken const &name);
+
     HdDirtyBits GetInitialDirtyBitsMask() const override;
 
   protected:
@@ -29,11 +34,13 @@ class HdCCMesh final : public HdMesh {
   private:
     void _SyncTopology(HdSceneDelegate *delegate);
     void _SyncPoints(HdSceneDelegate *delegate);
-    void _SyncDisplayColor(HdSceneDelegate *delegate);
+    void _SyncPrimvar(HdSceneDelegate *delegate, TfToken const &name);
     void _SyncSides(HdSceneDelegate *delegate);
     void _SyncShown(HdSceneDelegate *delegate, HdRenderParam *param, HdDirtyBits *dirtyBits);
 
     cc::Mesh *_mesh;
+    /// What the mesh was last synced with: primvars may be asked for later.
+    HdSceneDelegate *_delegate = nullptr;
     bool _hasTopology = false, _hasPoints = false;
 };
 

@@ -95,13 +95,13 @@ static bool _ReadTexel(VtValue const &value, _Texel *texel) {
            _ReadVector<GfVec4d>(value, texel);
 }
 
-static uint8_t const *_Plane(cc::Film const &film, cc::Aov aov) {
-    return cc::LayoutOf(aov).isInteger ? reinterpret_cast<uint8_t const *>(film.Ints(aov))
-                                       : reinterpret_cast<uint8_t const *>(film.Floats(aov));
+static uint8_t const *_Plane(cc::Film const &film, cc::Aov const &aov) {
+    return film.Layout(aov).isInteger ? reinterpret_cast<uint8_t const *>(film.Ints(aov))
+                                      : reinterpret_cast<uint8_t const *>(film.Floats(aov));
 }
 
-static _Texel _FilmTexel(cc::Film const &film, cc::Aov aov, size_t pixel) {
-    const cc::AovLayout layout = cc::LayoutOf(aov);
+static _Texel _FilmTexel(cc::Film const &film, cc::Aov const &aov, size_t pixel) {
+    const cc::AovLayout layout = film.Layout(aov);
     _Texel texel{0, 0, 0, 1};
     for (int i = 0; i < layout.components; ++i) {
         const size_t at = pixel * layout.components + i;
@@ -111,7 +111,7 @@ static _Texel _FilmTexel(cc::Film const &film, cc::Aov aov, size_t pixel) {
 }
 
 /// What shows in place of the clear value at a pixel of the film.
-static _Texel _Over(cc::Film const &film, cc::Aov aov, size_t pixel, _Texel const &clear) {
+static _Texel _Over(cc::Film const &film, cc::Aov const &aov, size_t pixel, _Texel const &clear) {
     _Texel texel = _FilmTexel(film, aov, pixel);
     if (aov == cc::Aov::Color) {
         const double uncovered = 1 - texel[3];
@@ -120,18 +120,20 @@ static _Texel _Over(cc::Film const &film, cc::Aov aov, size_t pixel, _Texel cons
         }
         return texel;
     }
+    if (aov.kind == cc::Aov::Primvar) {
+        return film.Coverage(aov)[pixel] != 0 ? texel : clear;
+    }
     const bool isBackground = film.Has(cc::Aov::PrimId) && film.Ints(cc::Aov::PrimId)[pixel] < 0;
     return isBackground ? clear : texel;
 }
 
-static HdFormat _FormatOf(cc::Aov aov) {
-    const cc::AovLayout layout = cc::LayoutOf(aov);
+static HdFormat _FormatOf(cc::AovLayout const &layout) {
     const HdFormat first = layout.isInteger ? HdFormatInt32 : HdFormatFloat32;
     return HdFormat(int(first) + layout.components - 1);
 }
 
 /// Whether the clear value is what a new film holds, so that there is nothing to mix.
-static bool _IsBackground(cc::Aov aov, _Texel const &clear) {
+static bool _IsBackground(cc::Aov const &aov, _Texel const &clear) {
     const _Texel background = _FilmTexel(cc::Film(1, 1, {aov}), aov, 0);
     const int components = cc::LayoutOf(aov).components;
     return std::equal(background.begin(), background.begin() + components, clear.begin());
@@ -192,7 +194,7 @@ void HdCCRenderBuffer::Clear(VtValue const &value) {
     }
 }
 
-void HdCCRenderBuffer::Write(cc::Film const &film, cc::Aov aov, GfVec2i const &corner,
+void HdCCRenderBuffer::Write(cc::Film const &film, cc::Aov const &aov, GfVec2i const &corner,
                              VtValue const &clearValue) {
     _Texel clear;
     const bool hasClear = _ReadTexel(clearValue, &clear) && !_IsBackground(aov, clear);
@@ -202,7 +204,7 @@ void HdCCRenderBuffer::Write(cc::Film const &film, cc::Aov aov, GfVec2i const &c
 
     const int x0 = std::max(0, -corner[0]), x1 = std::min(film.Width(), int(_width) - corner[0]);
     const int y0 = std::max(0, -corner[1]), y1 = std::min(film.Height(), int(_height) - corner[1]);
-    const bool isPlainCopy = !hasClear && _format == _FormatOf(aov) && x0 < x1;
+    const bool isPlainCopy = !hasClear && _format == _FormatOf(film.Layout(aov)) && x0 < x1;
     for (int y = y0; y < y1; ++y) {
         if (isPlainCopy) {
             const size_t from = (size_t(y) * film.Width() + x0) * size;

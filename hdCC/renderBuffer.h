@@ -42,7 +42,8 @@ class HdCCRenderBuffer final : public HdRenderBuffer {
     /// Copies an AOV of the film to the pixels from `corner` on. Where the film shows nothing,
     /// `clearValue` shows, unless it is empty.
     /// @param corner  may be anywhere: what falls outside is cropped
-    void Write(cc::Film const &film, cc::Aov aov, GfVec2i const &corner, VtValue const &clearValue);
+    void Write(cc::Film const &film, cc::Aov const &aov, GfVec2i const &corner,
+               VtValue const &clearValue);
 
   protected:
     void _Deallocate() override;

@@ -143,7 +143,7 @@ HdAovDescriptor HdCCRenderDelegate::GetDefaultAovDescriptor(TfToken const &name)
     if (!cc::AovFromName(name.GetString(), &aov)) {
         return HdAovDescriptor();
     }
-    switch (aov) {
+    switch (aov.kind) {
         case cc::Aov::Color:
             return HdAovDescriptor(HdFormatFloat32Vec4, false, VtValue(GfVec4f(0)));
         case cc::Aov::Depth: return HdAovDescriptor(HdFormatFloat32, false, VtValue(1.0f));
@@ -152,7 +152,9 @@ HdAovDescriptor HdCCRenderDelegate::GetDefaultAovDescriptor(TfToken const &name)
         case cc::Aov::InstanceId:
         case cc::Aov::ElementId: return HdAovDescriptor(HdFormatInt32, false, VtValue(-1));
         case cc::Aov::Normal:
-        case cc::Aov::Neye: return HdAovDescriptor(HdFormatFloat32Vec3, false, VtValue(GfVec3f(0)));
+        case cc::Aov::Neye:
+        case cc::Aov::Primvar:
+            return HdAovDescriptor(HdFormatFloat32Vec3, false, VtValue(GfVec3f(0)));
     }
     return HdAovDescriptor();
 }
@@ -172,7 +174,7 @@ HdInstancer *HdCCRenderDelegate::CreateInstancer(HdSceneDelegate *delegate, SdfP
 void HdCCRenderDelegate::DestroyInstancer(HdInstancer *instancer) { delete instancer; }
 
 HdRprim *HdCCRenderDelegate::CreateRprim(TfToken const &type, SdfPath const &id) {
-    return type == "mesh" ? new HdCCMesh(id, _param.GetScene()) : nullptr;
+    return type == "mesh" ? new HdCCMesh(id, &_param) : nullptr;
 }
 
 void HdCCRenderDelegate::DestroyRprim(HdRprim *prim) { delete prim; }

@@ -4,6 +4,8 @@
 
 #include "pxr/base/tf/diagnostic.h"
 
+#include "hdCC/mesh.h"
+
 PXR_NAMESPACE_OPEN_SCOPE
 
 using _Clock = std::chrono::steady_clock;
@@ -38,6 +40,37 @@ void HdCCRenderParam::WarnOnce(SdfPath const &id, std::string const &message) {
         }
     }
     TF_WARN("%s", line.c_str());
+}
+
+void HdCCRenderParam::AddMesh(HdCCMesh *mesh) {
+    const std::lock_guard<std::mutex> lock(_mutex);
+    _meshes.insert(mesh);
+}
+
+void HdCCRenderParam::RemoveMesh(HdCCMesh *mesh) {
+    const std::lock_guard<std::mutex> lock(_mutex);
+    _meshes.erase(mesh);
+}
+
+void HdCCRenderParam::AskForPrimvar(TfToken const &name) {
+    std::set<HdCCMesh *> meshes;
+    {
+        const std::lock_guard<std::mutex> lock(_mutex);
+        if (std::find(_primvars.begin(), _primvars.end(), name) != _primvars.end()) {
+            return;
+        }
+        _primvars.push_back(name);
+        meshes = _meshes;
+    }
+    const SyncScope scope(this);
+    for (HdCCMesh *mesh : meshes) {
+        mesh->SyncLatePrimvar(name);
+    }
+}
+
+TfTokenVector HdCCRenderParam::GetPrimvarsAskedFor() const {
+    const std::lock_guard<std::mutex> lock(_mutex);
+    return _primvars;
 }
 
 std::shared_ptr<const HdCCFrame> HdCCRenderParam::GetFrame() const {

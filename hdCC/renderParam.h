@@ -12,10 +12,13 @@
 #include "core/render/renderer.h"
 #include "core/scene/scene.h"
 
+#include "pxr/base/tf/token.h"
 #include "pxr/imaging/hd/renderDelegate.h"
 #include "pxr/pxr.h"
 
 PXR_NAMESPACE_OPEN_SCOPE
+
+class HdCCMesh;
 
 /// A frame that is done: its pixels and what it took.
 struct HdCCFrame {
@@ -52,6 +55,15 @@ class HdCCRenderParam final : public HdRenderParam {
     /// Warns that `message`, about `id`, unless the same was said before.
     void WarnOnce(SdfPath const &id, std::string const &message);
 
+    /// Meshes come and go with their prims; any thread may call.
+    void AddMesh(HdCCMesh *mesh);
+    void RemoveMesh(HdCCMesh *mesh);
+    /// Has all meshes sync a primvar from now on, those at once that have been synced already.
+    /// Primvars that nobody asks for are left where they are.
+    void AskForPrimvar(TfToken const &name);
+    /// What AskForPrimvar was called for.
+    TfTokenVector GetPrimvarsAskedFor() const;
+
     /// The last frame that is done; null before the first and while the next one renders.
     std::shared_ptr<const HdCCFrame> GetFrame() const;
     void SetFrame(std::shared_ptr<const HdCCFrame> frame);
@@ -67,6 +79,8 @@ class HdCCRenderParam final : public HdRenderParam {
     std::chrono::steady_clock::time_point _syncBegin, _syncEnd;
     bool _synced = false;
     std::set<std::string> _warned;
+    std::set<HdCCMesh *> _meshes;
+    TfTokenVector _primvars;
     std::shared_ptr<const HdCCFrame> _frame;
 };
 

@@ -39,6 +39,7 @@ void HdCCRenderPass::_Execute(HdRenderPassStateSharedPtr const &state,
     HdUtils::HasActiveRenderSettingsPrim(GetRenderIndex()->GetTerminalSceneIndex(), &settingsPrim);
     _delegate->HeedSceneSettings(settingsPrim);
 
+    _AskForPrimvars(*state);
     _Picture picture = _Describe(state, renderTags);
     if (_converged && picture == _picture) {
         return;
@@ -110,10 +111,26 @@ GfRect2i HdCCRenderPass::_VisibleWindow() const {
         GfRect2i(GfVec2i(0), int(buffer.GetWidth()), int(buffer.GetHeight())));
 }
 
+/// Has meshes sync the primvars that AOVs show. Which these are is known only now.
+void HdCCRenderPass::_AskForPrimvars(HdRenderPassState const &state) {
+    std::vector<cc::Aov> aovs = HdCCRequestedAovs(*_delegate);
+    for (HdRenderPassAovBinding const &binding : state.GetAovBindings()) {
+        cc::Aov aov;
+        if (cc::AovFromName(binding.aovName.GetString(), &aov)) {
+            aovs.push_back(aov);
+        }
+    }
+    for (cc::Aov const &aov : aovs) {
+        if (aov.kind == cc::Aov::Primvar) {
+            _param->AskForPrimvar(TfToken(aov.primvar));
+        }
+    }
+}
+
 /// The AOVs that are bound, and those that hdcc:aovs names.
 std::vector<cc::Aov> HdCCRenderPass::_FilmAovs() const {
     std::vector<cc::Aov> aovs = HdCCRequestedAovs(*_delegate);
-    const auto add = [&aovs](cc::Aov aov) {
+    const auto add = [&aovs](cc::Aov const &aov) {
         if (std::find(aovs.begin(), aovs.end(), aov) == aovs.end()) {
             aovs.push_back(aov);
         }
@@ -123,10 +140,14 @@ std::vector<cc::Aov> HdCCRenderPass::_FilmAovs() const {
         if (cc::AovFromName(target.aov.GetString(), &aov)) {
             add(aov);
             // Tells the pixels that show a clear value other than the film's own.
-            if (aov != cc::Aov::Color && !target.clearValue.IsEmpty()) {
+            if (aov.kind != cc::Aov::Color && !target.clearValue.IsEmpty()) {
                 add(cc::Aov::PrimId);
             }
         }
+    }
+    for (cc::Aov &aov : aovs) {
+        const int arity = _param->GetScene()->PrimvarArity(aov.primvar);
+        aov.arity = arity > 0 ? arity : aov.arity;
     }
     return aovs;
 }

@@ -64,7 +64,9 @@ class HdCCRenderPass final : public HdRenderPass {
 
     _Picture _Describe(HdRenderPassStateSharedPtr const &state,
                        TfTokenVector const &renderTags) const;
+    void _AskForPrimvars(HdRenderPassState const &state);
     GfRect2i _VisibleWindow() const;
+    /// After the scene was built.
     std::vector<cc::Aov> _FilmAovs() const;
     bool _MakeCamera(GfRect2i const &visible, cc::Camera *camera) const;
     bool _Render();

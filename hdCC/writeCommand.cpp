@@ -53,17 +53,19 @@ static std::string _MakePlanes(cc::Film const &film, std::string const &names,
     if (!error.empty()) {
         return error;
     }
-    for (cc::Aov aov : aovs) {
+    for (cc::Aov const &aov : aovs) {
         if (!film.Has(aov)) {
             return TfStringPrintf(
                 "the AOV '%s' is not in the last frame; name it in hdcc:aovs "
                 "before rendering",
-                cc::NameOf(aov));
+                cc::NameOf(aov).c_str());
         }
-        const cc::AovLayout layout = cc::LayoutOf(aov);
+        const cc::AovLayout layout = film.Layout(aov);
         const void *const pixels = layout.isInteger ? static_cast<const void *>(film.Ints(aov))
                                                     : static_cast<const void *>(film.Floats(aov));
-        planes->push_back({cc::NameOf(aov), layout.components, layout.isInteger, pixels});
+        const bool isPrecise = aov.kind == cc::Aov::Primvar;
+        planes->push_back(
+            {cc::NameOf(aov), layout.components, layout.isInteger, pixels, isPrecise});
     }
     return std::string();
 }

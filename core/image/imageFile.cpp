@@ -75,10 +75,13 @@ std::vector<Channel> ExrChannels(const std::vector<ImagePlane>& planes) {
     for (const ImagePlane& plane : planes) {
         const bool isColor = plane.name == "color";
         const bool isScalar = plane.components == 1;
-        const char* suffixes = isColor ? "RGBA" : isScalar && !plane.isInteger ? "Z" : "XYZW";
+        const bool isHalf = !isScalar && !plane.isInteger && !plane.isPrecise;
+        const char* suffixes = isColor                                            ? "RGBA"
+                               : isScalar && !plane.isInteger && !plane.isPrecise ? "Z"
+                                                                                  : "XYZW";
         for (int c = 0; c < plane.components; ++c) {
             const std::string layer = isColor ? "" : plane.name + ".";
-            channels.push_back({layer + suffixes[c], !isScalar && !plane.isInteger, &plane, c});
+            channels.push_back({layer + suffixes[c], isHalf, &plane, c});
         }
     }
     return channels;

@@ -11,12 +11,14 @@ struct ImagePlane {
     int components = 4;
     bool isInteger = false;
     const void* pixels = nullptr;  ///< 32-bit floats, or 32-bit ints if isInteger
+    /// EXR keeps what has more than one component as half unless this is set.
+    bool isPrecise = false;
 };
 
 /// Writes planes to a picture. EXR takes any number of planes as one multi-layer file: floats as
-/// half (colour, normals) or float (depths), ints as float. 8-bit formats (PNG, JPEG, TIFF by
-/// extension) take the colour plane alone, which must have been converted for display; JPEG drops
-/// its alpha. The file appears under its name only when it is whole.
+/// half (colour, normals) or float (depths, primvars), ints as float. 8-bit formats (PNG, JPEG,
+/// TIFF by extension) take the colour plane alone, which must have been converted for display; JPEG
+/// drops its alpha. The file appears under its name only when it is whole.
 ///
 /// EXR channels are named LAYER.CHANNEL, as compositors group them. The layer is the plane's name
 /// and none for "color":
@@ -24,7 +26,8 @@ struct ImagePlane {
 ///     color                  R G B A           half, too large values end at 65504
 ///     three components       NAME.X .Y .Z      half
 ///     two or four            NAME.X .Y (.Z .W) half
-///     one float              NAME.Z            float
+///     precise, any number    NAME.X (.Y .Z .W) float
+///     one other float        NAME.Z            float
 ///     one int                NAME.X            float: exact to 2^24, and -1 stays -1
 ///
 /// Ids are floats and not EXR's unsigned ints: those have no -1, and readers that convert to

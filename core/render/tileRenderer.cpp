@@ -63,6 +63,11 @@ void TileRenderer::Render(const Tile& tile, RenderStatistics* statistics) const 
         _TraceSample(tile, i, &sample, statistics);
         if (i == 0) {
             _WriteSurface(tile, sample);
+            for (const Aov& aov : _film->Aovs()) {
+                if (aov.kind == Aov::Primvar) {
+                    _WritePrimvar(tile, sample, aov);
+                }
+            }
         }
         if (_film->Has(Aov::Color)) {
             _AddColor(sample, rgba, statistics);
@@ -205,6 +210,23 @@ void TileRenderer::_WriteSurface(const Tile& tile, const Sample& sample) const {
             const Vec3f n = isHit ? _Shade(sample, lane).normal : Vec3f{};
             if (normal) Store(n, normal + 3 * pixel);
             if (neye) Store(_camera.CameraNormal(n), neye + 3 * pixel);
+        }
+    }
+}
+
+void TileRenderer::_WritePrimvar(const Tile& tile, const Sample& sample, const Aov& aov) const {
+    float* const values = _film->Floats(aov);
+    uint8_t* const coverage = _film->Coverage(aov);
+    const HitPacket& hits = sample.hits;
+    for (int lane = 0; lane < sample.rays.count; ++lane) {
+        const size_t pixel = PixelOf(tile, lane, _film->Width());
+        const Mesh* mesh = sample.IsHit(lane) ? &_scene.InstanceMesh(hits.instance[lane]) : nullptr;
+        const PrimvarField* primvar = mesh ? mesh->FindPrimvar(aov.primvar) : nullptr;
+        coverage[pixel] = primvar != nullptr;
+        if (primvar) {
+            const SurfaceValue value =
+                mesh->Evaluate(*primvar, hits.patch[lane], hits.u[lane], hits.v[lane]);
+            std::copy_n(value.value, aov.arity, values + pixel * aov.arity);
         }
     }
 }

@@ -37,6 +37,7 @@ class TileRenderer {
     void _AddColor(const Sample& sample, float* rgba, RenderStatistics* statistics) const;
     void _WriteColor(const Tile& tile, const float* rgba) const;
     void _WriteSurface(const Tile& tile, const Sample& sample) const;
+    void _WritePrimvar(const Tile& tile, const Sample& sample, const Aov& aov) const;
 
     const Scene& _scene;
     const CameraRays& _camera;

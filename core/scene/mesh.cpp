@@ -10,6 +10,8 @@
 namespace cc {
 namespace {
 
+constexpr char kDisplayColor[] = "displayColor";
+
 /// Larger coordinates overflow when they are squared and summed up.
 constexpr float kLargestCoordinate = 1e18f;
 
@@ -73,9 +75,19 @@ void Mesh::SetPoints(std::vector<Vec3f> points) {
     _pointsAreInSurface = false;
 }
 
-void Mesh::SetDisplayColor(Primvar3f color) {
-    _newColor = std::move(color);
-    _colorChanged = true;
+void Mesh::SetPrimvar(const std::string& name, Primvar primvar) {
+    if (primvar.IsEmpty()) {
+        _primvars.erase(name);
+        _displayColor = name == kDisplayColor ? nullptr : _displayColor;
+        return;
+    }
+    PrimvarSlot& slot = _primvars[name];
+    if (!slot.isChanged && !slot.field.IsEmpty() &&
+        slot.field.IsMadeOf(primvar, _surface->Patches())) {
+        return;
+    }
+    slot.waiting = std::move(primvar);
+    slot.isChanged = true;
 }
 
 void Mesh::SetTransform(const AffineTransform& objectToWorld) {
@@ -90,7 +102,17 @@ void Mesh::SetCullBackFaces(bool cull) { _cullBackFaces = cull; }
 void Mesh::SetRenderTag(std::string tag) { _renderTag = std::move(tag); }
 
 Vec3f Mesh::DisplayColor(uint32_t patch, float u, float v) const {
-    return _color.Evaluate(_surface->Patches(), _faces, patch, u, v);
+    if (!_displayColor) {
+        return kDefaultDisplayColor;
+    }
+    const SurfaceValue color = Evaluate(*_displayColor, patch, u, v);
+    return {color.value[0], color.value[1], color.value[2]};
+}
+
+const PrimvarField* Mesh::FindPrimvar(const std::string& name) const {
+    const auto found = _primvars.find(name);
+    return found == _primvars.end() || found->second.field.IsEmpty() ? nullptr
+                                                                     : &found->second.field;
 }
 
 Mesh::BuildReport Mesh::_Build() {
@@ -98,8 +120,8 @@ Mesh::BuildReport Mesh::_Build() {
     if (_topologyChanged || _pointsChanged) {
         _BuildSurface(&report);
     }
-    if (_surface && _colorChanged) {
-        _BuildColor(&report);
+    if (_surface) {
+        _BuildPrimvars(&report);
     }
     if (_transformChanged || report.work != SurfaceWork::None) {
         _BuildTransform(&report);
@@ -117,7 +139,7 @@ void Mesh::_BuildSurface(BuildReport* report) {
             _points.assign(points.begin(), points.begin() + _surface->Patches().CagePointCount());
             _pointsAreInSurface = false;
         }
-        _TakeColorBack();
+        _TakePrimvarsBack();
         _surface.reset();
         _RebuildSurface(report);
     } else {
@@ -130,11 +152,15 @@ void Mesh::_BuildSurface(BuildReport* report) {
     }
 }
 
-void Mesh::_TakeColorBack() {
-    if (!_colorChanged && _isColorUsable && _surface) {
-        _newColor = _color.TakePrimvar(_surface->Patches().CagePointCount());
+void Mesh::_TakePrimvarsBack() {
+    _displayColor = nullptr;
+    for (auto& [name, slot] : _primvars) {
+        if (!slot.isChanged && !slot.field.IsEmpty()) {
+            slot.waiting = slot.field.TakePrimvar(_surface->Patches());
+        }
+        slot.field = {};
+        slot.isChanged = true;
     }
-    _colorChanged = true;
 }
 
 void Mesh::_RebuildSurface(BuildReport* report) {
@@ -187,37 +213,56 @@ void Mesh::_MoveSurface(BuildReport* report) {
     report->work = SurfaceWork::Moved;
 }
 
-void Mesh::_BuildColor(BuildReport* report) {
-    const std::string error = CheckColor(_newColor, _faces, _surface->Patches().CagePointCount());
-    _isColorUsable = error.empty();
-    if (_isColorUsable) {
-        FaceVaryingChannel channel = _MakeColorChannel(report);
-        _color = ColorField(std::exchange(_newColor, {}), _surface->Patches(), std::move(channel));
-    } else {
-        // Kept, as the next topology may be the one that it belongs to.
-        _color = ColorField();
-        report->lines.push_back(error + "; the mesh is shown in grey");
+void Mesh::_BuildPrimvars(BuildReport* report) {
+    for (auto& [name, slot] : _primvars) {
+        if (slot.isChanged) {
+            _BuildPrimvar(name, &slot, report);
+            ++report->primvarsBuilt;
+        }
     }
-    _colorChanged = false;
+    _displayColor = FindPrimvar(kDisplayColor);
 }
 
-FaceVaryingChannel Mesh::_MakeColorChannel(BuildReport* report) const {
-    if (_newColor.interpolation != Interpolation::FaceVarying || _newColor.values.empty() ||
-        IsFaceVaryingBilinear(_tags, !_newColor.indices.empty())) {
+void Mesh::_BuildPrimvar(const std::string& name, PrimvarSlot* slot, BuildReport* report) const {
+    const size_t pointCount = _surface->Patches().CagePointCount();
+    std::string error = CheckPrimvar(name, slot->waiting, _faces, pointCount);
+    const bool isColor = name == kDisplayColor;
+    if (error.empty() && isColor && slot->waiting.arity != 3) {
+        error = name + " has " + std::to_string(slot->waiting.arity) + " numbers a value, not 3";
+    }
+    slot->isChanged = false;
+    // Kept if it does not fit, as the next topology may be the one that it belongs to.
+    slot->field = {};
+    if (!error.empty()) {
+        report->lines.push_back(error +
+                                (isColor ? "; the mesh is shown in grey" : "; it is left out"));
+        return;
+    }
+    FaceVaryingChannel channel = _MakeChannel(name, slot->waiting, report);
+    slot->field =
+        PrimvarField(std::exchange(slot->waiting, {}), _surface->Patches(), std::move(channel));
+}
+
+FaceVaryingChannel Mesh::_MakeChannel(const std::string& name, const Primvar& primvar,
+                                      BuildReport* report) const {
+    if (primvar.interpolation != Interpolation::FaceVarying) {
         return {};
     }
     ControlMesh mesh = _tags;
     _faces.CopyTo(&mesh.faceVertexCounts, &mesh.faceVertexIndices);
-    std::vector<int> indices = _newColor.indices;
+    if (IsFaceVaryingBilinear(mesh, !primvar.indices.empty())) {
+        return {};
+    }
+    std::vector<int> indices = primvar.indices;
     if (indices.empty()) {
-        indices.resize(_newColor.values.size());
+        indices.resize(primvar.ValueCount());
         std::iota(indices.begin(), indices.end(), 0);
     }
     std::string warning;
-    FaceVaryingChannel channel(mesh, _surface->Patches().CagePointCount(), _newColor.values,
-                               indices, &warning);
+    FaceVaryingChannel channel(mesh, _surface->Patches().CagePointCount(), primvar.arity,
+                               primvar.values, indices, &warning);
     if (!warning.empty()) {
-        report->lines.push_back("displayColor: " + warning);
+        report->lines.push_back(name + ": " + warning);
     }
     return channel;
 }
@@ -242,8 +287,12 @@ void Mesh::_BuildTransform(BuildReport* report) {
 }
 
 size_t Mesh::_Bytes() const {
-    return (_surface ? _surface->Bytes() : 0) + _faces.Bytes() + _color.Bytes() +
-           _points.capacity() * sizeof(Vec3f) + BytesOfTags(_tags);
+    size_t bytes = (_surface ? _surface->Bytes() : 0) + _faces.Bytes() +
+                   _points.capacity() * sizeof(Vec3f) + BytesOfTags(_tags);
+    for (const auto& [name, slot] : _primvars) {
+        bytes += slot.field.Bytes();
+    }
+    return bytes;
 }
 
 }  // namespace cc

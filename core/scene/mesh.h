@@ -1,17 +1,21 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "core/math/transform.h"
-#include "core/scene/colorField.h"
 #include "core/scene/faceVertices.h"
 #include "core/scene/primvar.h"
+#include "core/scene/primvarField.h"
 #include "core/subdiv/controlMesh.h"
 #include "core/trace/surface.h"
 
 namespace cc {
+
+/// What a mesh without displayColor looks like.
+constexpr Vec3f kDefaultDisplayColor{0.18f, 0.18f, 0.18f};
 
 /// A subdivision mesh in the scene. Setters only note what changed; Scene::Build does the work.
 /// Different meshes may be set from different threads, one mesh from one thread at a time.
@@ -26,8 +30,10 @@ class Mesh {
     void SetPrimId(int primId);
     void SetTopology(ControlMesh topology);
     void SetPoints(std::vector<Vec3f> points);
-    /// An empty primvar gives the default grey.
-    void SetDisplayColor(Primvar3f color);
+    /// Sets a primvar by its name without the prefix primvars:, as in "st". Empty ones are taken
+    /// away. A mesh is shaded with its displayColor, of three numbers; any other is there to be
+    /// evaluated. Values that are those in use already cost no work.
+    void SetPrimvar(const std::string& name, Primvar primvar);
     void SetTransform(const AffineTransform& objectToWorld);
     void SetVisible(bool visible);
     /// Single-sided meshes are invisible from behind only if cullBackFaces is set; both sides are
@@ -42,6 +48,12 @@ class Mesh {
     bool CullBackFaces() const { return _cullBackFaces; }
     /// Null if the mesh is broken or empty: it is left out of the picture.
     const Surface* BuiltSurface() const { return _isSurfaceUsable ? _surface.get() : nullptr; }
+    /// Null if the mesh has no such primvar, or one that does not fit it.
+    const PrimvarField* FindPrimvar(const std::string& name) const;
+    /// Evaluates one of the mesh's primvars at a point of a patch.
+    SurfaceValue Evaluate(const PrimvarField& primvar, uint32_t patch, float u, float v) const {
+        return primvar.Evaluate(_surface->Patches(), _faces, patch, u, v);
+    }
     /// Linear RGB display colour at a point of a patch.
     Vec3f DisplayColor(uint32_t patch, float u, float v) const;
 
@@ -52,22 +64,33 @@ class Mesh {
     enum class SurfaceWork { None, Moved, Rebuilt };
     struct BuildReport {
         SurfaceWork work = SurfaceWork::None;
+        size_t primvarsBuilt = 0;
         /// Anything that the top level shows has changed.
         bool topLevelChanged = false;
         /// Lines that say what is wrong, without the mesh's name.
         std::vector<std::string> lines;
     };
 
+    struct PrimvarSlot {
+        /// Waits to be built.
+        Primvar waiting;
+        bool isChanged = false;
+        /// Empty if the last one that was built does not fit the mesh, and then still waits.
+        PrimvarField field;
+    };
+
     /// Brings everything up to date with what was set since the last call.
     BuildReport _Build();
     void _BuildSurface(BuildReport* report);
-    /// Before the surface goes: the colour is to be spread over the patches of the next one.
-    void _TakeColorBack();
+    /// Before the surface goes: primvars are to be spread over the patches of the next one.
+    void _TakePrimvarsBack();
     void _RebuildSurface(BuildReport* report);
     void _MoveSurface(BuildReport* report);
-    void _BuildColor(BuildReport* report);
-    /// Of the colour that waits; empty if it needs none.
-    FaceVaryingChannel _MakeColorChannel(BuildReport* report) const;
+    void _BuildPrimvars(BuildReport* report);
+    void _BuildPrimvar(const std::string& name, PrimvarSlot* slot, BuildReport* report) const;
+    /// Empty if the primvar needs none.
+    FaceVaryingChannel _MakeChannel(const std::string& name, const Primvar& primvar,
+                                    BuildReport* report) const;
     void _BuildTransform(BuildReport* report);
     bool _IsShown() const { return BuiltSurface() && _isTransformUsable; }
     size_t _Bytes() const;
@@ -81,16 +104,14 @@ class Mesh {
     AffineTransform _objectToWorld, _worldToObject;
     bool _transformChanged = false, _isTransformUsable = true;
 
-    /// Topology, points and colour wait here until they are built; then the surface, _faces and
-    /// _color have all that is needed of them.
+    /// Topology and points wait here until they are built; then the surface and _faces have all
+    /// that is needed of them.
     ControlMesh _topology;
     bool _topologyChanged = false;
     std::vector<Vec3f> _points;
     bool _pointsChanged = false;
     /// True if the points in use are those of the surface, and _points is empty.
     bool _pointsAreInSurface = false;
-    Primvar3f _newColor;
-    bool _colorChanged = false, _isColorUsable = true;
 
     std::unique_ptr<Surface> _surface;
     bool _isSurfaceUsable = false;
@@ -99,7 +120,9 @@ class Mesh {
     ControlMesh _tags;
     /// Points of the cage that faces use: all have lower indices.
     size_t _usedPointCount = 0;
-    ColorField _color;
+    std::map<std::string, PrimvarSlot> _primvars;
+    /// Of displayColor; null for the default grey.
+    const PrimvarField* _displayColor = nullptr;
 };
 
 }  // namespace cc

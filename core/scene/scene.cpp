@@ -102,6 +102,7 @@ bool Scene::_BuildMeshes(const std::vector<Mesh*>& meshes, std::vector<std::stri
         changed = changed || report.topLevelChanged;
         _work.surfacesBuilt += report.work == Mesh::SurfaceWork::Rebuilt;
         _work.surfacesMoved += report.work == Mesh::SurfaceWork::Moved;
+        _work.primvarsBuilt += report.primvarsBuilt;
         for (const std::string& line : report.lines) {
             lines->push_back(meshes[i]->Name() + ": " + line);
         }
@@ -124,6 +125,15 @@ void Scene::_BuildTopLevel(const std::vector<Mesh*>& meshes, bool meshesChanged)
     _instanceMeshes = std::move(instanceMeshes);
     _instances = InstanceBvh(std::move(instances));
     ++_work.topLevelsBuilt;
+}
+
+int Scene::PrimvarArity(const std::string& name) const {
+    int arity = 0;
+    for (const Mesh* mesh : _instanceMeshes) {
+        const PrimvarField* primvar = mesh->FindPrimvar(name);
+        arity = primvar ? std::max(arity, primvar->Arity()) : arity;
+    }
+    return arity;
 }
 
 Scene::Statistics Scene::GetStatistics() const {

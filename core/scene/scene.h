@@ -38,12 +38,16 @@ class Scene {
     const Mesh& InstanceMesh(uint32_t instance) const { return *_instanceMeshes[instance]; }
     const std::vector<std::unique_ptr<Light>>& Lights() const { return _lights; }
 
+    /// Most numbers a value that a primvar has on any mesh that is shown; 0 if none has it.
+    int PrimvarArity(const std::string& name) const;
+
     /// Authored faces, patches and bytes of structures of all that is built.
     struct Statistics {
         size_t faces = 0, patches = 0, bytes = 0;
         double buildSeconds = 0;  ///< of the last Build
-        /// What all calls of Build did: surfaces made, surfaces whose points moved, top levels.
-        size_t surfacesBuilt = 0, surfacesMoved = 0, topLevelsBuilt = 0;
+        /// What all calls of Build did: surfaces made, surfaces whose points moved, top levels
+        /// and primvars.
+        size_t surfacesBuilt = 0, surfacesMoved = 0, topLevelsBuilt = 0, primvarsBuilt = 0;
     };
     Statistics GetStatistics() const;
 

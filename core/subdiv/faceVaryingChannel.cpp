@@ -4,7 +4,6 @@
 #include <numeric>
 
 #include "core/subdiv/faceVaryingMesh.h"
-#include "core/subdiv/limitPoint.h"
 #include "core/subdiv/patchBuilder.h"
 
 namespace cc {
@@ -33,19 +32,20 @@ PatchParameter FromFace(const Patch& patch, const FaceParameter& at) {
 
 }  // namespace
 
-FaceVaryingChannel::FaceVaryingChannel(const ControlMesh& mesh, size_t pointCount,
-                                       const std::vector<Vec3f>& values,
+FaceVaryingChannel::FaceVaryingChannel(const ControlMesh& mesh, size_t pointCount, int arity,
+                                       const std::vector<float>& values,
                                        const std::vector<int>& valueIndices, std::string* warning) {
     const FaceVaryingMesh channel = MakeFaceVaryingMesh(mesh, pointCount, valueIndices);
     std::string error;
     _patches = BuildPatchTable(channel.mesh, channel.values.size(), &error);
     *warning = error.empty() ? channel.warning : error;
-    std::vector<Vec3f> points;
-    points.reserve(channel.values.size());
+    std::vector<float> vertexValues;
+    vertexValues.reserve(channel.values.size() * static_cast<size_t>(arity));
     for (int value : channel.values) {
-        points.push_back(values[value]);
+        const auto first = values.begin() + static_cast<ptrdiff_t>(value) * arity;
+        vertexValues.insert(vertexValues.end(), first, first + arity);
     }
-    _points = _patches.PatchPoints(points);
+    _values = PatchValues(_patches, arity, vertexValues);
 
     std::vector<uint32_t> order(_patches.Count());
     std::iota(order.begin(), order.end(), 0);
@@ -66,7 +66,7 @@ uint32_t FaceVaryingChannel::_AuthoredFace(size_t i) const {
     return _patches.AuthoredFace(_PatchAt(i));
 }
 
-Vec3f FaceVaryingChannel::Evaluate(const FaceParameter& at) const {
+SurfaceValue FaceVaryingChannel::Evaluate(const FaceParameter& at) const {
     size_t first = 0, count = _patches.Count();
     while (count > 0) {
         const size_t half = count / 2;
@@ -81,15 +81,14 @@ Vec3f FaceVaryingChannel::Evaluate(const FaceParameter& at) const {
         const Patch& patch = _patches.At(_PatchAt(i));
         const PatchParameter p = FromFace(patch, at);
         if (patch.corner == at.corner && p.IsInside()) {
-            return EvaluateLimitValue(_patches, _PatchAt(i), _points.data(), p.u, p.v);
+            return _values.Evaluate(_patches, _PatchAt(i), p.u, p.v);
         }
     }
     return {};
 }
 
 size_t FaceVaryingChannel::Bytes() const {
-    return _patches.Bytes() + _points.capacity() * sizeof(Vec3f) +
-           _byFace.capacity() * sizeof(uint32_t);
+    return _patches.Bytes() + _values.Bytes() + _byFace.capacity() * sizeof(uint32_t);
 }
 
 }  // namespace cc

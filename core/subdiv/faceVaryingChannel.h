@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "core/math/vec.h"
 #include "core/subdiv/controlMesh.h"
 #include "core/subdiv/patchTable.h"
+#include "core/subdiv/patchValues.h"
 
 namespace cc {
 
@@ -18,15 +18,17 @@ class FaceVaryingChannel {
     FaceVaryingChannel() = default;
 
     /// @param mesh          must have passed ValidateControlMesh
-    /// @param values        finite values
+    /// @param arity         numbers a value, 1 to 4
+    /// @param values        finite numbers, one value after the other
     /// @param valueIndices  the value of each face-vertex; equal indices at a vertex are one value
     /// @param warning       set to what is approximate or wrong; empty if all is well
-    FaceVaryingChannel(const ControlMesh& mesh, size_t pointCount, const std::vector<Vec3f>& values,
-                       const std::vector<int>& valueIndices, std::string* warning);
+    FaceVaryingChannel(const ControlMesh& mesh, size_t pointCount, int arity,
+                       const std::vector<float>& values, const std::vector<int>& valueIndices,
+                       std::string* warning);
 
     bool IsEmpty() const { return _patches.Count() == 0; }
     /// The value at a point of a visible face; zero if the face has no patches.
-    Vec3f Evaluate(const FaceParameter& at) const;
+    SurfaceValue Evaluate(const FaceParameter& at) const;
     /// Memory held, in bytes.
     size_t Bytes() const;
 
@@ -35,7 +37,7 @@ class FaceVaryingChannel {
     uint32_t _PatchAt(size_t i) const;
 
     PatchTable _patches;
-    std::vector<Vec3f> _points;
+    PatchValues _values;
     /// Patches in the order of their authored faces; empty if they are so already.
     std::vector<uint32_t> _byFace;
 };

@@ -325,13 +325,31 @@ class FaceVaryingMeshBuilder {
     std::vector<char> _isSplit;
 };
 
+/// True if all faces that make patches have four corners.
+bool HasQuadsOnly(const ControlMesh& mesh) {
+    const int* face = mesh.faceVertexIndices.data();
+    for (int count : mesh.faceVertexCounts) {
+        const size_t kept = KeptCorners(face, count).size();
+        if (kept != 0 && kept != 4) {
+            return false;
+        }
+        face += count;
+    }
+    return true;
+}
+
 }  // namespace
 
 bool IsFaceVaryingBilinear(const ControlMesh& mesh, bool isIndexed) {
-    // Where no two face-vertices share a value, each face is a mesh of one face, all sharp corners.
-    const bool isSmooth = mesh.scheme == Scheme::CatmullClark || mesh.scheme == Scheme::Loop;
-    return !isSmooth || mesh.faceVaryingRule == FaceVaryingRule::All ||
-           (!isIndexed && mesh.faceVaryingRule != FaceVaryingRule::None);
+    const bool isLoop = mesh.scheme == Scheme::Loop;
+    if ((mesh.scheme != Scheme::CatmullClark && !isLoop) ||
+        mesh.faceVaryingRule == FaceVaryingRule::All) {
+        return true;
+    }
+    // Where no two face-vertices share a value, each face is a mesh of one face, all sharp corners:
+    // bilinear if it is a quad, but smooth inside if it is not; and linear under the Loop scheme.
+    return !isIndexed && mesh.faceVaryingRule != FaceVaryingRule::None &&
+           (isLoop || HasQuadsOnly(mesh));
 }
 
 FaceVaryingMesh MakeFaceVaryingMesh(const ControlMesh& mesh, size_t pointCount,

@@ -64,13 +64,13 @@ RegularPiece FindRegularPiece(ExtraordinaryPatch* patch, float u, float v) {
     return piece;
 }
 
-/// Tangents where a derivative vanishes (a collapsed edge): taken a step inside the patch.
-void MendTangents(const BezierPatch& patch, float u, float v, LimitPoint* point) {
+/// The normal where derivatives are parallel or one vanishes (a collapsed edge): that of a step
+/// inside the patch.
+Vec3f NormalInside(const BezierPatch& patch, float u, float v) {
     constexpr float kStep = 1e-3f;
     const float insideU = u + (0.5f - u) * kStep, insideV = v + (0.5f - v) * kStep;
-    point->du = patch.DerivativeU(insideU, insideV);
-    point->dv = patch.DerivativeV(insideU, insideV);
-    point->normal = Normalize(Cross(point->du, point->dv));
+    return Normalize(
+        Cross(patch.DerivativeU(insideU, insideV), patch.DerivativeV(insideU, insideV)));
 }
 
 LimitPoint EvaluateBezier(const BezierPatch& patch, float u, float v) {
@@ -83,7 +83,7 @@ LimitPoint EvaluateBezier(const BezierPatch& patch, float u, float v) {
     if (Length(normal) > 1e-6f * Length(point.du) * Length(point.dv)) {
         point.normal = Normalize(normal);
     } else {
-        MendTangents(patch, u, v, &point);
+        point.normal = NormalInside(patch, u, v);
     }
     return point;
 }
@@ -225,6 +225,25 @@ LimitPoint EvaluateLimit(const PatchTable& patches, uint32_t patch, const Vec3f*
     if (patches.IsLeftHanded()) {
         point.normal = -point.normal;
     }
+    return point;
+}
+
+LimitPoint ByFaceParameter(const PatchTable& patches, uint32_t patch, LimitPoint point) {
+    if (patches.IsTriangle(patch)) {
+        return point;
+    }
+    const Patch& p = patches.At(patch);
+    // The chain rule through PatchTable::ToFace.
+    const Vec3f du = point.du, dv = point.dv;
+    switch (p.rotation) {
+        case 1: point.du = -dv, point.dv = du; break;
+        case 2: point.du = -du, point.dv = -dv; break;
+        case 3: point.du = dv, point.dv = -du; break;
+        default: break;
+    }
+    const auto cells = static_cast<float>(1 << (p.depth - p.isSubQuad));
+    point.du *= cells;
+    point.dv *= cells;
     return point;
 }
 

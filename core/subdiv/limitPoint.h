@@ -23,6 +23,10 @@ struct LimitPoint {
 LimitPoint EvaluateLimit(const PatchTable& patches, uint32_t patch, const Vec3f* values, float u,
                          float v);
 
+/// The same point with derivatives by the parameters of the authored face (PatchTable::ToFace) in
+/// place of the patch's own.
+LimitPoint ByFaceParameter(const PatchTable& patches, uint32_t patch, LimitPoint point);
+
 /// As EvaluateLimit, without the derivatives: for primvars.
 Vec3f EvaluateLimitValue(const PatchTable& patches, uint32_t patch, const Vec3f* values, float u,
                          float v);

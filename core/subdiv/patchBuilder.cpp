@@ -189,12 +189,16 @@ void AddBilinear(const ControlMesh& mesh, PatchTable* table) {
     }
     const int* vertices = mesh.faceVertexIndices.data();
     for (uint32_t face = 0; face < mesh.faceVertexCounts.size(); ++face) {
-        const int count = mesh.faceVertexCounts[face];
-        const std::vector<uint32_t> points(vertices, vertices + count);
-        vertices += count;
-        if (isHole[face] || count < 3) {
+        const std::vector<int> kept = KeptCorners(vertices, mesh.faceVertexCounts[face]);
+        std::vector<uint32_t> points;
+        for (int corner : kept) {
+            points.push_back(static_cast<uint32_t>(vertices[corner]));
+        }
+        vertices += mesh.faceVertexCounts[face];
+        if (isHole[face] || kept.empty()) {
             continue;
         }
+        const auto count = static_cast<int>(kept.size());
         Patch patch{};
         patch.face = face;
         patch.valence = 4;
@@ -213,7 +217,7 @@ void AddBilinear(const ControlMesh& mesh, PatchTable* table) {
                 table->AddPoint({{points[i], points[(i + 1) % count]}, {0.5f, 0.5f}}));
         }
         for (int i = 0; i < count; ++i) {
-            patch.corner = i;
+            patch.corner = static_cast<uint32_t>(kept[i]);
             const uint32_t quad[4] = {points[i], middles[i], center,
                                       middles[(i + count - 1) % count]};
             table->AddPatch(patch, quad, 4);

@@ -16,13 +16,12 @@ Vec3f NormalOver(const Vec3f& du, const Vec3f& dv) {
     return Length(normal) > 1e-6f ? Normalize(normal) : Vec3f{};
 }
 
-/// Tangents where a derivative vanishes (a collapsed edge): taken a step inside the patch.
-void MendTangents(const BezierTriangle& patch, float u, float v, LimitPoint* point) {
+/// The normal where derivatives are parallel or one vanishes (a collapsed edge): that of a step
+/// inside the patch.
+Vec3f NormalInside(const BezierTriangle& patch, float u, float v) {
     constexpr float kStep = 1e-3f;
     const float insideU = u + (1 / 3.0f - u) * kStep, insideV = v + (1 / 3.0f - v) * kStep;
-    point->du = patch.DerivativeU(insideU, insideV);
-    point->dv = patch.DerivativeV(insideU, insideV);
-    point->normal = NormalOver(point->du, point->dv);
+    return NormalOver(patch.DerivativeU(insideU, insideV), patch.DerivativeV(insideU, insideV));
 }
 
 LimitPoint EvaluateBezier(const BezierTriangle& patch, float u, float v) {
@@ -32,7 +31,7 @@ LimitPoint EvaluateBezier(const BezierTriangle& patch, float u, float v) {
     point.dv = patch.DerivativeV(u, v);
     point.normal = NormalOver(point.du, point.dv);
     if (point.normal == Vec3f{}) {
-        MendTangents(patch, u, v, &point);
+        point.normal = NormalInside(patch, u, v);
     }
     return point;
 }

@@ -61,7 +61,18 @@ def test_every_aov_of_the_renderer_is_known() -> None:
     """The list in record_options is the one of core/render."""
     root = Path(record_options.__file__).resolve().parents[2]
     header = (root / "core" / "render" / "film.h").read_text()
-    names = header.split("enum class Aov {")[1].split("}")[0]
+    names = header.split("enum Kind {")[1].split("}")[0]
     wanted = {line.split(",")[0].strip() for line in names.splitlines() if "," in line}
     lowered = {name if name == "Neye" else name[0].lower() + name[1:] for name in wanted}
-    assert lowered == set(record_options.AOVS)
+    assert lowered - {"primvar"} == set(record_options.AOVS) - {"primvars:NAME"}
+
+
+def test_any_primvar_is_an_aov(tmp_path: Path) -> None:
+    scene = tmp_path / "scene.usda"
+    scene.write_text("#usda 1.0\n")
+    out = f"{tmp_path}/out.exr"
+    options = record_options.parse([str(scene), out, "--aov", "primvars:st", "--aov", "normal"])
+    assert options.aovs == ["primvars:st", "normal"]
+    for name in ("primvars:", "primvar:st", "st"):
+        with pytest.raises(CommandError):
+            record_options.parse([str(scene), out, "--aov", name])

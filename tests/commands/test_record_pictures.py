@@ -12,7 +12,16 @@ import pytest
 from command_kit import ROOT, cube
 from picture_kit import layers
 
-AOVS = ["depth", "cameraDepth", "primId", "instanceId", "elementId", "normal", "Neye"]
+AOVS = [
+    "depth",
+    "cameraDepth",
+    "primId",
+    "instanceId",
+    "elementId",
+    "normal",
+    "Neye",
+    "primvars:displayColor",
+]
 FAST = ["--set", "hdcc:samples=1", "--set", "hdcc:level=3"]
 
 

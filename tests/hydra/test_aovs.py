@@ -123,7 +123,7 @@ def test_unsupported_aov_warns_and_converges(warnings: Any) -> None:
     stage = make_stage()
     add_grid(stage)
     view = View(stage)
-    view.engine.SetRendererAov("primvars:st")
+    view.engine.SetRendererAov("velocity")
     view.execute()
 
 

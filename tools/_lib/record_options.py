@@ -28,7 +28,10 @@ AOVS = (
     "elementId",
     "normal",
     "Neye",
+    "primvars:NAME",
 )
+#: Begins the names of AOVs that show a primvar.
+PRIMVAR_AOV = "primvars:"
 MAX_IMAGE_WIDTH = 32768
 
 _NUMBER = r"-?\d+(?:\.\d*)?"
@@ -278,7 +281,8 @@ def _check_files(options: RecordOptions) -> None:
 
 def _check_aovs(options: RecordOptions) -> None:
     for name in options.aovs:
-        if name not in AOVS:
+        is_primvar = name.startswith(PRIMVAR_AOV) and name != PRIMVAR_AOV
+        if name not in AOVS and not is_primvar:
             raise CommandError(f"unknown AOV '{name}' (known: {' '.join(AOVS)})", 2)
     if options.aovs and not pictures.is_layered(options.picture):
         raise CommandError(f"--aov needs an EXR; {options.picture} holds color only", 2)

@@ -5,8 +5,8 @@
 namespace cc {
 namespace {
 
-constexpr Aov kAllAovs[] = {Aov::Color,      Aov::Depth,     Aov::CameraDepth, Aov::PrimId,
-                            Aov::InstanceId, Aov::ElementId, Aov::Normal,      Aov::Neye};
+constexpr Aov::Kind kAllAovs[] = {Aov::Color,      Aov::Depth,     Aov::CameraDepth, Aov::PrimId,
+                                  Aov::InstanceId, Aov::ElementId, Aov::Normal,      Aov::Neye};
 
 TEST(Film, NamesGoBothWays) {
     for (const Aov aov : kAllAovs) {
@@ -17,14 +17,32 @@ TEST(Film, NamesGoBothWays) {
     Aov untouched = Aov::Depth;
     EXPECT_FALSE(AovFromName("colour", &untouched));
     EXPECT_FALSE(AovFromName("", &untouched));
-    EXPECT_EQ(untouched, Aov::Depth);
+    EXPECT_FALSE(AovFromName("primvars:", &untouched));
+    EXPECT_EQ(untouched, Aov(Aov::Depth));
+}
+
+TEST(Film, PrimvarsAreAovsByName) {
+    Aov st;
+    ASSERT_TRUE(AovFromName("primvars:st", &st));
+    EXPECT_EQ(st.kind, Aov::Primvar);
+    EXPECT_EQ(st.primvar, "st");
+    EXPECT_EQ(NameOf(st), "primvars:st");
+    const Aov scalar(Aov::Primvar, "heat", 1);
+    EXPECT_NE(st, scalar);
+    Film film(2, 1, {st, scalar});
+    EXPECT_EQ(film.Layout(st).components, 3);
+    EXPECT_EQ(film.Layout(Aov(Aov::Primvar, "heat", 4)).components, 1);
+    EXPECT_EQ(film.Floats(scalar)[1], 0);
+    EXPECT_EQ(film.Coverage(scalar)[1], 0);
+    EXPECT_FALSE(film.Has(Aov(Aov::Primvar, "color", 3)));
+    EXPECT_EQ(film.Coverage(Aov::Color), nullptr);
 }
 
 TEST(Film, HasTheNamesOfHydra) {
-    EXPECT_STREQ(NameOf(Aov::Color), "color");
-    EXPECT_STREQ(NameOf(Aov::CameraDepth), "cameraDepth");
-    EXPECT_STREQ(NameOf(Aov::PrimId), "primId");
-    EXPECT_STREQ(NameOf(Aov::Neye), "Neye");
+    EXPECT_EQ(NameOf(Aov::Color), "color");
+    EXPECT_EQ(NameOf(Aov::CameraDepth), "cameraDepth");
+    EXPECT_EQ(NameOf(Aov::PrimId), "primId");
+    EXPECT_EQ(NameOf(Aov::Neye), "Neye");
 }
 
 TEST(Film, StartsAsBackground) {

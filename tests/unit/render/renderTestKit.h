@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/render/renderer.h"
@@ -21,8 +22,20 @@ inline Mesh* AddCage(Scene* scene, const std::string& name, const Cage& cage) {
     return mesh;
 }
 
-inline Primvar3f ConstantColor(const Vec3f& color) {
-    return {Interpolation::Constant, {color}, {}};
+/// A primvar of three numbers a value.
+inline Primvar Primvar3(Interpolation interpolation, const std::vector<Vec3f>& values,
+                        std::vector<int> indices = {}) {
+    Primvar primvar{interpolation, 3, {}, std::move(indices)};
+    for (const Vec3f& v : values) {
+        for (int axis = 0; axis < 3; ++axis) {
+            primvar.values.push_back(v[axis]);
+        }
+    }
+    return primvar;
+}
+
+inline Primvar ConstantColor(const Vec3f& color) {
+    return Primvar3(Interpolation::Constant, {color});
 }
 
 /// A flat square of one bilinear face in the xy plane that faces +z, from -1 to 1.

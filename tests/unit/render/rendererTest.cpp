@@ -40,7 +40,7 @@ void AddHeadlight(Scene* scene) {
 std::string Bits(const Film& film) {
     std::string bits;
     const size_t pixels = size_t(film.Width()) * film.Height();
-    for (const Aov aov : film.Aovs()) {
+    for (const Aov& aov : film.Aovs()) {
         const void* plane =
             LayoutOf(aov).isInteger ? static_cast<const void*>(film.Ints(aov)) : film.Floats(aov);
         bits.append(static_cast<const char*>(plane), 4 * pixels * LayoutOf(aov).components);
@@ -48,11 +48,43 @@ std::string Bits(const Film& film) {
     return bits;
 }
 
+TEST(RenderFrame, PrimvarsAreThoseOfTheMeshThatIsSeen) {
+    Scene scene;
+    Mesh* mesh = AddCage(&scene, "/square", Square());
+    mesh->SetPrimvar("st", {Interpolation::Vertex, 2, {0, 0, 1, 0, 1, 1, 0, 1}, {}});
+    Cage behind = Square();
+    for (Vec3f& p : behind.points) {
+        p = p * 10 - Vec3f{0, 0, 1};
+    }
+    AddCage(&scene, "/behind", behind)->SetPrimvar("heat", {Interpolation::Constant, 1, {7}, {}});
+    scene.Build({"geometry"});
+    EXPECT_EQ(scene.PrimvarArity("st"), 2);
+    EXPECT_EQ(scene.PrimvarArity("heat"), 1);
+    EXPECT_EQ(scene.PrimvarArity("color"), 0);
+
+    const Aov st(Aov::Primvar, "st", 2), heat(Aov::Primvar, "heat", 1);
+    Film film(20, 20, {heat, st});
+    RenderStatistics statistics;
+    RenderFrame(scene, CameraAt(4), Options(), &film, &statistics, nullptr, nullptr);
+    for (int y = 0; y < 20; ++y) {
+        for (int x = 0; x < 20; ++x) {
+            const int i = y * 20 + x;
+            const bool inside = x >= 5 && x < 15 && y >= 5 && y < 15;
+            ASSERT_EQ(film.Coverage(st)[i], inside);
+            ASSERT_EQ(film.Coverage(heat)[i], !inside);
+            EXPECT_EQ(film.Floats(heat)[i], inside ? 0 : 7);
+            const auto ramp = [](int at) { return (static_cast<float>(at) - 4.5f) / 10; };
+            EXPECT_NEAR(film.Floats(st)[2 * i], inside ? ramp(x) : 0, 1e-5f);
+            EXPECT_NEAR(film.Floats(st)[2 * i + 1], inside ? ramp(y) : 0, 1e-5f);
+        }
+    }
+}
+
 TEST(RenderFrame, ShowsASquareWhereItIs) {
     Scene scene;
     Mesh* mesh = AddCage(&scene, "/square", Square());
     mesh->SetPrimId(42);
-    mesh->SetDisplayColor(ConstantColor({0.25f, 0.5f, 1}));
+    mesh->SetPrimvar("displayColor", ConstantColor({0.25f, 0.5f, 1}));
     AddHeadlight(&scene);
     // At distance 4 the window is 4 wide: the square of width 2 covers the middle quarter.
     const Film film = Render(&scene, CameraAt(4), Options(), 20, 20);

@@ -73,7 +73,8 @@ TEST(Mesh, TopologyAloneKeepsThePoints) {
 
 TEST(Mesh, ColorOutlivesTopologyAndPoints) {
     OneMesh one(Cube());
-    one.mesh->SetDisplayColor({Interpolation::Vertex, std::vector<Vec3f>(8, {1, 0.5f, 0}), {}});
+    one.mesh->SetPrimvar("displayColor",
+                         Primvar3(Interpolation::Vertex, std::vector<Vec3f>(8, {1, 0.5f, 0})));
     one.ExpectSilent();
     one.mesh->SetPoints(Cube().points);
     one.ExpectSilent();
@@ -91,7 +92,8 @@ TEST(Mesh, ColorIsSpreadWithoutTheTopologyThatIsGone) {
         const size_t count = interpolation == Interpolation::Uniform   ? 6
                              : interpolation == Interpolation::Varying ? 8
                                                                        : 24;
-        one.mesh->SetDisplayColor({interpolation, std::vector<Vec3f>(count, {0, 1, 0}), {}});
+        one.mesh->SetPrimvar("displayColor",
+                             Primvar3(interpolation, std::vector<Vec3f>(count, {0, 1, 0})));
         one.ExpectSilent();
         EXPECT_NEAR(one.Color().y, 1, 1e-6f);
         EXPECT_NEAR(one.Color().x, 0, 1e-6f);
@@ -102,7 +104,8 @@ TEST(Mesh, ColorIsSpreadWithoutTheTopologyThatIsGone) {
 
 TEST(Mesh, WrongColorIsSaidOnceAndShownGrey) {
     OneMesh one(Cube());
-    one.mesh->SetDisplayColor({Interpolation::Uniform, std::vector<Vec3f>(5, {1, 0, 0}), {}});
+    one.mesh->SetPrimvar("displayColor",
+                         Primvar3(Interpolation::Uniform, std::vector<Vec3f>(5, {1, 0, 0})));
     EXPECT_TRUE(Says(one.BuildLine(), "displayColor"));
     one.ExpectSilent();
     EXPECT_EQ(one.Shown(), 1u);
@@ -114,6 +117,41 @@ TEST(Mesh, WrongColorIsSaidOnceAndShownGrey) {
     one.mesh->SetTopology(five.mesh);
     one.ExpectSilent();
     EXPECT_EQ(one.Color(), (Vec3f{1, 0, 0}));
+}
+
+TEST(Mesh, AnEditedPrimvarIsBuiltAlone) {
+    OneMesh one(Cube());
+    const Primvar color = Primvar3(Interpolation::Vertex, Cube().points);
+    const Primvar st{Interpolation::FaceVarying, 2, std::vector<float>(48, 0.5f), {}};
+    one.mesh->SetPrimvar("displayColor", color);
+    one.mesh->SetPrimvar("st", st);
+    one.ExpectSilent();
+    EXPECT_EQ(one.scene.GetStatistics().primvarsBuilt, 2u);
+    one.mesh->SetPrimvar("displayColor", color);
+    one.mesh->SetPrimvar("st", st);
+    one.ExpectSilent();
+    EXPECT_EQ(one.scene.GetStatistics().primvarsBuilt, 2u);
+    one.mesh->SetPrimvar("displayColor", Primvar3(Interpolation::Constant, {{1, 0, 0}}));
+    one.mesh->SetPrimvar("st", st);
+    one.mesh->SetPoints(Cube().points);
+    one.ExpectSilent();
+    EXPECT_EQ(one.scene.GetStatistics().primvarsBuilt, 3u);
+    EXPECT_EQ(one.Color(), (Vec3f{1, 0, 0}));
+    one.mesh->SetTopology(Cube().mesh);
+    one.ExpectSilent();
+    EXPECT_EQ(one.scene.GetStatistics().primvarsBuilt, 5u);
+    one.mesh->SetPrimvar("st", {});
+    one.mesh->SetPrimvar("displayColor", {});
+    one.ExpectSilent();
+    EXPECT_EQ(one.mesh->FindPrimvar("st"), nullptr);
+    EXPECT_EQ(one.Color(), kDefaultDisplayColor);
+}
+
+TEST(Mesh, ColorsHaveThreeNumbers) {
+    OneMesh one(Cube());
+    one.mesh->SetPrimvar("displayColor", {Interpolation::Constant, 2, {1, 0}, {}});
+    EXPECT_TRUE(Says(one.BuildLine(), "displayColor has 2 numbers"));
+    EXPECT_EQ(one.Color(), kDefaultDisplayColor);
 }
 
 TEST(Mesh, WaitsForItsPoints) {

@@ -73,7 +73,7 @@ TEST(Scene, DoesOnlyWhatChangesAskFor) {
     expectWork(2, 1, 3);
     a->SetTransform(Placed(1, 5, 0, 0));
     expectWork(2, 1, 3);
-    a->SetDisplayColor(ConstantColor({1, 0, 0}));
+    a->SetPrimvar("displayColor", ConstantColor({1, 0, 0}));
     a->SetPrimId(4);
     a->SetCullBackFaces(true);
     expectWork(2, 1, 3);

@@ -1,114 +1,20 @@
-#include <cstdlib>
-#include <memory>
+#include <algorithm>
+#include <cmath>
 #include <random>
 
 #include <gtest/gtest.h>
-#include <opensubdiv/bfr/refinerSurfaceFactory.h>
-#include <opensubdiv/bfr/surface.h>
-#include <opensubdiv/far/topologyDescriptor.h>
-
 #include "core/subdiv/faceVaryingChannel.h"
 #include "core/subdiv/faceVaryingMesh.h"
 #include "core/subdiv/patchBuilder.h"
+#include "tests/unit/subdiv/primvarOracle.h"
 #include "tests/unit/subdiv/testCages.h"
 
 namespace cc::test {
 namespace {
 
-namespace Bfr = OpenSubdiv::Bfr;
-namespace Far = OpenSubdiv::Far;
-namespace Sdc = OpenSubdiv::Sdc;
-
 constexpr FaceVaryingRule kRules[] = {FaceVaryingRule::None,         FaceVaryingRule::CornersOnly,
                                       FaceVaryingRule::CornersPlus1, FaceVaryingRule::CornersPlus2,
                                       FaceVaryingRule::Boundaries,   FaceVaryingRule::All};
-
-Sdc::Options::FVarLinearInterpolation ToSdc(FaceVaryingRule rule) {
-    switch (rule) {
-        case FaceVaryingRule::None: return Sdc::Options::FVAR_LINEAR_NONE;
-        case FaceVaryingRule::CornersOnly: return Sdc::Options::FVAR_LINEAR_CORNERS_ONLY;
-        case FaceVaryingRule::CornersPlus1: return Sdc::Options::FVAR_LINEAR_CORNERS_PLUS1;
-        case FaceVaryingRule::CornersPlus2: return Sdc::Options::FVAR_LINEAR_CORNERS_PLUS2;
-        case FaceVaryingRule::Boundaries: return Sdc::Options::FVAR_LINEAR_BOUNDARIES;
-        case FaceVaryingRule::All: break;
-    }
-    return Sdc::Options::FVAR_LINEAR_ALL;
-}
-
-Sdc::Options ToSdc(const ControlMesh& mesh) {
-    Sdc::Options options;
-    options.SetVtxBoundaryInterpolation(
-        mesh.boundaryRule == BoundaryRule::None       ? Sdc::Options::VTX_BOUNDARY_NONE
-        : mesh.boundaryRule == BoundaryRule::EdgeOnly ? Sdc::Options::VTX_BOUNDARY_EDGE_ONLY
-                                                      : Sdc::Options::VTX_BOUNDARY_EDGE_AND_CORNER);
-    options.SetFVarLinearInterpolation(ToSdc(mesh.faceVaryingRule));
-    options.SetCreasingMethod(mesh.creaseRule == CreaseRule::Chaikin
-                                  ? Sdc::Options::CREASE_CHAIKIN
-                                  : Sdc::Options::CREASE_UNIFORM);
-    options.SetTriangleSubdivision(mesh.triangleRule == TriangleRule::Smooth
-                                       ? Sdc::Options::TRI_SUB_SMOOTH
-                                       : Sdc::Options::TRI_SUB_CATMARK);
-    return options;
-}
-
-/// Face-varying values as OpenSubdiv's own evaluator has them.
-class FaceVaryingOracle {
-  public:
-    FaceVaryingOracle(const ControlMesh& mesh, size_t pointCount, const std::vector<Vec3f>& values,
-                      const std::vector<int>& indices)
-        : _values(values) {
-        Far::TopologyDescriptor d;
-        d.numVertices = static_cast<int>(pointCount);
-        d.numFaces = mesh.FaceCount();
-        d.numVertsPerFace = mesh.faceVertexCounts.data();
-        d.vertIndicesPerFace = mesh.faceVertexIndices.data();
-        d.numCreases = static_cast<int>(mesh.creaseSharpnesses.size());
-        d.creaseVertexIndexPairs = mesh.creaseIndices.data();
-        d.creaseWeights = mesh.creaseSharpnesses.data();
-        d.numCorners = static_cast<int>(mesh.cornerIndices.size());
-        d.cornerVertexIndices = mesh.cornerIndices.data();
-        d.cornerWeights = mesh.cornerSharpnesses.data();
-        Far::TopologyDescriptor::FVarChannel channel;
-        channel.numValues = static_cast<int>(values.size());
-        channel.valueIndices = indices.data();
-        d.numFVarChannels = 1;
-        d.fvarChannels = &channel;
-        using RefinerFactory = Far::TopologyRefinerFactory<Far::TopologyDescriptor>;
-        _refiner.reset(RefinerFactory::Create(
-            d, RefinerFactory::Options(
-                   mesh.scheme == Scheme::Loop ? Sdc::SCHEME_LOOP : Sdc::SCHEME_CATMARK,
-                   ToSdc(mesh))));
-        Factory::Options precise;
-        precise.SetApproxLevelSmooth(8).SetApproxLevelSharp(10);
-        _factory = std::make_unique<Factory>(*_refiner, precise);
-    }
-
-    Vec3f Evaluate(const FaceParameter& at) {
-        if (_face != at.face) {
-            _face = at.face;
-            EXPECT_TRUE(_factory->InitFaceVaryingSurface(static_cast<int>(at.face), &_surface, 0));
-            _points.resize(3 * _surface.GetNumPatchPoints());
-            _surface.PreparePatchPoints(&_values[0].x, 3, _points.data(), 3);
-        }
-        float uv[2] = {at.u, at.v};
-        if (_surface.GetParameterization().HasSubFaces()) {
-            _surface.GetParameterization().ConvertNormalizedSubFaceToCoord(
-                static_cast<int>(at.corner), uv, uv);
-        }
-        Vec3f value;
-        _surface.Evaluate(uv, _points.data(), 3, &value.x);
-        return value;
-    }
-
-  private:
-    using Factory = Bfr::RefinerSurfaceFactory<>;
-    const std::vector<Vec3f>& _values;
-    std::unique_ptr<Far::TopologyRefiner> _refiner;
-    std::unique_ptr<Factory> _factory;
-    uint32_t _face = 0xffffffffu;
-    Bfr::Surface<float> _surface;
-    std::vector<float> _points;
-};
 
 /// A way to give face-vertices their values.
 struct Split {
@@ -139,36 +45,26 @@ std::vector<int> ValueIndices(const ControlMesh& mesh, size_t pointCount, const 
     return indices;
 }
 
-std::vector<Vec3f> RandomValues(size_t count) {
+/// Values of two numbers in 0..1.
+std::vector<float> RandomValues(size_t count) {
     std::mt19937 random(11);
     std::uniform_real_distribution<float> unit(0, 1);
-    std::vector<Vec3f> values(count);
-    for (Vec3f& value : values) {
-        value = {unit(random), unit(random), unit(random)};
-    }
+    std::vector<float> values(2 * count);
+    std::generate(values.begin(), values.end(), [&] { return unit(random); });
     return values;
-}
-
-bool HasCollapsedFaces(const ControlMesh& mesh) {
-    const int* face = mesh.faceVertexIndices.data();
-    for (int count : mesh.faceVertexCounts) {
-        if (KeptCorners(face, count).size() < static_cast<size_t>(count)) {
-            return true;
-        }
-        face += count;
-    }
-    return false;
 }
 
 class FaceVaryingTest : public testing::TestWithParam<Cage> {};
 
 void ExpectAgreement(const Cage& cage, const PatchTable& patches, const Split& split) {
-    const std::vector<int> indices = ValueIndices(cage.mesh, cage.points.size(), split);
-    const std::vector<Vec3f> values =
+    Primvar primvar{Interpolation::FaceVarying, 2, {}, {}};
+    primvar.indices = ValueIndices(cage.mesh, cage.points.size(), split);
+    primvar.values =
         RandomValues(cage.points.size() * static_cast<size_t>(cage.mesh.FaceCount() + 2));
-    FaceVaryingOracle oracle(cage.mesh, cage.points.size(), values, indices);
+    PrimvarOracle oracle(cage.mesh, cage.points.size(), primvar);
     std::string warning;
-    const FaceVaryingChannel channel(cage.mesh, cage.points.size(), values, indices, &warning);
+    const FaceVaryingChannel channel(cage.mesh, cage.points.size(), 2, primvar.values,
+                                     primvar.indices, &warning);
     if (!warning.empty()) {
         return;  // said to be approximate
     }
@@ -181,7 +77,11 @@ void ExpectAgreement(const Cage& cage, const PatchTable& patches, const Split& s
             const float u = unit(random), v = unit(random);
             const FaceParameter at =
                 patches.ToFace(patch, u, patches.IsTriangle(patch) ? (1 - u) * v : v);
-            const float difference = Length(channel.Evaluate(at) - oracle.Evaluate(at));
+            SurfaceValue expected;
+            ASSERT_TRUE(oracle.Evaluate(at, &expected));
+            const SurfaceValue value = channel.Evaluate(at);
+            const float difference =
+                std::hypot(value.value[0] - expected.value[0], value.value[1] - expected.value[1]);
             if (!(difference <= worst)) {
                 worst = difference;
                 worstAt = at;
@@ -195,9 +95,6 @@ void ExpectAgreement(const Cage& cage, const PatchTable& patches, const Split& s
 TEST_P(FaceVaryingTest, AgreesWithOpenSubdiv) {
     Cage cage = GetParam();
     ASSERT_TRUE(ValidateControlMesh(&cage.mesh, cage.points.size()).IsValid());
-    if (HasCollapsedFaces(cage.mesh)) {
-        GTEST_SKIP() << "OpenSubdiv has no values on faces with collapsed edges";
-    }
     std::string error;
     const PatchTable patches = BuildPatchTable(cage.mesh, cage.points.size(), &error);
     for (FaceVaryingRule rule : kRules) {
@@ -219,18 +116,22 @@ TEST(FaceVarying, NeedsNoPatchesWhereItIsBilinear) {
     }
     mesh.scheme = Scheme::Bilinear;
     EXPECT_TRUE(IsFaceVaryingBilinear(mesh, true));
+    // Each triangle is a smooth surface between its sharp corners.
+    EXPECT_FALSE(IsFaceVaryingBilinear(Tetrahedron().mesh, false));
 }
 
 TEST(FaceVarying, ValuesAreTakenAtTheirVertices) {
     // One value for all points of the cage is the same everywhere, and not one vertex.
     const Cage cage = Cube();
     std::string warning;
-    const FaceVaryingChannel channel(cage.mesh, cage.points.size(), {{3, 4, 5}},
+    const FaceVaryingChannel channel(cage.mesh, cage.points.size(), 4, {3, 4, 5, 6},
                                      std::vector<int>(24, 0), &warning);
     EXPECT_EQ(warning, "");
     for (uint32_t face = 0; face < 6; ++face) {
-        const Vec3f value = channel.Evaluate({face, 0, 0.3f, 1});
-        EXPECT_LT(Length(value - Vec3f{3, 4, 5}), 1e-5f);
+        const SurfaceValue value = channel.Evaluate({face, 0, 0.3f, 1});
+        for (int i = 0; i < 4; ++i) {
+            EXPECT_NEAR(value.value[i], 3 + i, 1e-5f);
+        }
     }
 }
 

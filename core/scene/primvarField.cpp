@@ -1,0 +1,210 @@
+#include "core/scene/primvarField.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/subdiv/controlMesh.h"
+
+namespace cc {
+namespace {
+
+struct Expectation {
+    size_t count;
+    const char* interpolation;
+};
+
+Expectation ExpectedElements(Interpolation interpolation, const FaceVertices& faces,
+                             size_t pointCount) {
+    switch (interpolation) {
+        case Interpolation::Uniform: return {faces.FaceCount(), "uniform"};
+        case Interpolation::Varying: return {pointCount, "varying"};
+        case Interpolation::Vertex: return {pointCount, "vertex"};
+        case Interpolation::FaceVarying: return {faces.Count(), "faceVarying"};
+        case Interpolation::Constant: break;
+    }
+    return {1, "constant"};
+}
+
+/// The values of a primvar, element by element.
+std::vector<float> Elements(const Primvar& primvar) {
+    std::vector<float> values;
+    values.reserve(primvar.ElementCount() * static_cast<size_t>(primvar.arity));
+    for (size_t i = 0; i < primvar.ElementCount(); ++i) {
+        const float* const element = primvar.Element(i);
+        values.insert(values.end(), element, element + primvar.arity);
+    }
+    return values;
+}
+
+/// A number bilinear over the unit square, from its corners (0,0) (1,0) (1,1) (0,1).
+void SetBilinear(const float corners[4], float u, float v, int i, SurfaceValue* result) {
+    const float low = corners[0] * (1 - u) + corners[1] * u;
+    const float high = corners[3] * (1 - u) + corners[2] * u;
+    result->value[i] = low * (1 - v) + high * v;
+    result->du[i] = (corners[1] - corners[0]) * (1 - v) + (corners[2] - corners[3]) * v;
+    result->dv[i] = high - low;
+}
+
+/// The corners of an authored face that its patches were made of (KeptCorners).
+class FaceCorners {
+  public:
+    FaceCorners(const FaceVertices& faces, uint32_t face)
+        : _first(faces.FirstOfFace(face)), _count(faces.CountOfFace(face)) {
+        for (int i = 0, previous = _count - 1; i < _count; previous = i++) {
+            if (faces.Point(_first + i) == faces.Point(_first + previous)) {
+                _Keep(faces);
+                return;
+            }
+        }
+    }
+
+    int Count() const { return _count; }
+    /// The face-vertex of a kept corner, counted modulo their number.
+    size_t FaceVertex(int i) const {
+        return _first + (_kept.empty() ? i % _count : _kept[i % _count]);
+    }
+    /// Which of the kept ones an authored corner is.
+    int Find(uint32_t corner) const {
+        const auto at = static_cast<int>(corner);
+        return _kept.empty()
+                   ? at
+                   : static_cast<int>(std::find(_kept.begin(), _kept.end(), at) - _kept.begin());
+    }
+
+  private:
+    void _Keep(const FaceVertices& faces) {
+        std::vector<int> points;
+        for (int i = 0; i < _count; ++i) {
+            points.push_back(static_cast<int>(faces.Point(_first + i)));
+        }
+        _kept = KeptCorners(points.data(), _count);
+        _count = _kept.empty() ? _count : static_cast<int>(_kept.size());
+    }
+
+    size_t _first;
+    int _count;
+    /// Empty if all are kept.
+    std::vector<int> _kept;
+};
+
+}  // namespace
+
+PrimvarField::PrimvarField(Primvar primvar, const PatchTable& patches, FaceVaryingChannel channel)
+    : _primvar(std::move(primvar)), _channel(std::move(channel)) {
+    if (_primvar.interpolation == Interpolation::Vertex) {
+        _vertexValues = PatchValues(patches, _primvar.arity, Elements(_primvar));
+        _primvar.values = {};
+        _primvar.indices = {};
+    }
+}
+
+SurfaceValue PrimvarField::Evaluate(const PatchTable& patches, const FaceVertices& faces,
+                                    uint32_t patch, float u, float v) const {
+    size_t element = 0;
+    switch (_primvar.interpolation) {
+        case Interpolation::Vertex: return _vertexValues.Evaluate(patches, patch, u, v);
+        case Interpolation::FaceVarying:
+            if (!_channel.IsEmpty()) {
+                return _channel.Evaluate(patches.ToFace(patch, u, v));
+            }
+            [[fallthrough]];
+        case Interpolation::Varying: return _EvaluateOnFace(faces, patches.ToFace(patch, u, v));
+        case Interpolation::Uniform: element = patches.AuthoredFace(patch); break;
+        case Interpolation::Constant: break;
+    }
+    SurfaceValue result;
+    std::copy_n(_primvar.Element(element), _primvar.arity, result.value);
+    return result;
+}
+
+SurfaceValue PrimvarField::_EvaluateOnFace(const FaceVertices& faces,
+                                           const FaceParameter& at) const {
+    const FaceCorners corners(faces, at.face);
+    const int count = corners.Count();
+    const auto number = [&](int corner, int i) {
+        const size_t faceVertex = corners.FaceVertex(corner);
+        return _primvar.Element(_primvar.interpolation == Interpolation::FaceVarying
+                                    ? faceVertex
+                                    : faces.Point(faceVertex))[i];
+    };
+    SurfaceValue result;
+    for (int i = 0; i < _primvar.arity; ++i) {
+        if (at.isTriangle) {
+            const float a = number(0, i), b = number(1, i), c = number(2, i);
+            result.value[i] = a * (1 - at.u - at.v) + (b * at.u + c * at.v);
+            result.du[i] = b - a;
+            result.dv[i] = c - a;
+            continue;
+        }
+        float quad[4];
+        if (count == 4) {
+            for (int corner = 0; corner < 4; ++corner) {
+                quad[corner] = number(corner, i);
+            }
+        } else {
+            // The sub-quad of a corner ends at the middles of its two edges and at the face's
+            // centre.
+            float sum = 0;
+            for (int corner = 0; corner < count; ++corner) {
+                sum += number(corner, i);
+            }
+            const int c = corners.Find(at.corner);
+            quad[0] = number(c, i);
+            quad[1] = (quad[0] + number(c + 1, i)) * 0.5f;
+            quad[2] = sum / static_cast<float>(count);
+            quad[3] = (quad[0] + number(c + count - 1, i)) * 0.5f;
+        }
+        SetBilinear(quad, at.u, at.v, i, &result);
+    }
+    return result;
+}
+
+bool PrimvarField::IsMadeOf(const Primvar& primvar, const PatchTable& patches) const {
+    if (_primvar.interpolation != Interpolation::Vertex) {
+        return _primvar == primvar;
+    }
+    return primvar.interpolation == Interpolation::Vertex && primvar.arity == _primvar.arity &&
+           primvar.ElementCount() == patches.CagePointCount() &&
+           std::all_of(
+               primvar.indices.begin(), primvar.indices.end(),
+               [&](int i) { return i >= 0 && static_cast<size_t>(i) < primvar.ValueCount(); }) &&
+           Elements(primvar) == _vertexValues.CageValues(patches);
+}
+
+Primvar PrimvarField::TakePrimvar(const PatchTable& patches) {
+    if (_primvar.interpolation == Interpolation::Vertex) {
+        _primvar.values = _vertexValues.CageValues(patches);
+    }
+    Primvar primvar = std::move(_primvar);
+    *this = PrimvarField();
+    return primvar;
+}
+
+size_t PrimvarField::Bytes() const {
+    return _primvar.values.capacity() * sizeof(float) + _primvar.indices.capacity() * sizeof(int) +
+           _vertexValues.Bytes() + _channel.Bytes();
+}
+
+std::string CheckPrimvar(const std::string& name, const Primvar& primvar, const FaceVertices& faces,
+                         size_t pointCount) {
+    const Expectation expected = ExpectedElements(primvar.interpolation, faces, pointCount);
+    if (primvar.ElementCount() != expected.count) {
+        return name + " is " + expected.interpolation + " and has " +
+               std::to_string(primvar.ElementCount()) + " elements where " +
+               std::to_string(expected.count) + " belong";
+    }
+    for (const int index : primvar.indices) {
+        if (index < 0 || static_cast<size_t>(index) >= primvar.ValueCount()) {
+            return name + " has index " + std::to_string(index) + " and only " +
+                   std::to_string(primvar.ValueCount()) + " values";
+        }
+    }
+    const auto isFinite = [](float number) { return std::isfinite(number); };
+    if (!std::all_of(primvar.values.begin(), primvar.values.end(), isFinite)) {
+        return name + " has values that are not finite";
+    }
+    return {};
+}
+
+}  // namespace cc

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <string>
+
+#include "core/scene/faceVertices.h"
+#include "core/scene/primvar.h"
+#include "core/subdiv/faceVaryingChannel.h"
+#include "core/subdiv/patchTable.h"
+#include "core/subdiv/patchValues.h"
+
+namespace cc {
+
+/// A primvar spread over the patches of a mesh: constant, one a face, refined like the points,
+/// linear over each authored face, or a face-varying surface of its own.
+class PrimvarField {
+  public:
+    /// A field without values, which must not be evaluated.
+    PrimvarField() = default;
+
+    /// Takes a primvar that has values and that CheckPrimvar finds nothing wrong with.
+    /// @param channel  for face-varying values that are smooth over faces; else empty
+    PrimvarField(Primvar primvar, const PatchTable& patches, FaceVaryingChannel channel = {});
+
+    bool IsEmpty() const { return _primvar.arity == 0; }
+    /// Numbers a value, 1 to 4.
+    int Arity() const { return _primvar.arity; }
+
+    /// The value at parameters u, v of a patch, and its derivatives by the parameters of the
+    /// authored face, zero for constant and uniform ones. Patches and faces are those of the mesh.
+    SurfaceValue Evaluate(const PatchTable& patches, const FaceVertices& faces, uint32_t patch,
+                          float u, float v) const;
+
+    /// True if the field is made of just these values.
+    bool IsMadeOf(const Primvar& primvar, const PatchTable& patches) const;
+    /// Gives the primvar back; the field is empty then. Indices of vertex primvars are resolved.
+    Primvar TakePrimvar(const PatchTable& patches);
+
+    /// Memory held, in bytes.
+    size_t Bytes() const;
+
+  private:
+    SurfaceValue _EvaluateOnFace(const FaceVertices& faces, const FaceParameter& at) const;
+
+    /// Without the values if they are in _vertexValues.
+    Primvar _primvar{Interpolation::Constant, 0, {}, {}};
+    PatchValues _vertexValues;
+    FaceVaryingChannel _channel;
+};
+
+/// What is wrong with a primvar for a mesh of these faces and this many points: too many or too
+/// few elements, indices out of range, values that are not finite. Empty if it can be used.
+std::string CheckPrimvar(const std::string& name, const Primvar& primvar, const FaceVertices& faces,
+                         size_t pointCount);
+
+}  // namespace cc
