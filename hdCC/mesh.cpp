@@ -1,5 +1,7 @@
 #include "hdCC/mesh.h"
 
+#include <algorithm>
+
 #include "pxr/base/tf/diagnostic.h"
 #include "pxr/base/tf/staticTokens.h"
 #include "pxr/imaging/hd/changeTracker.h"
@@ -12,7 +14,7 @@
 
 PXR_NAMESPACE_OPEN_SCOPE
 
-TF_DEFINE_PRIVATE_TOKENS(_tokens, (points)(displayColor));
+TF_DEFINE_PRIVATE_TOKENS(_tokens, (points)(displayColor)(normals));
 
 HdCCMesh::HdCCMesh(SdfPath const &id, HdCCRenderParam *param)
     : HdMesh(id), _mesh(param->GetScene()->AddMesh(id.GetString())) {
@@ -23,10 +25,11 @@ HdCCMesh::HdCCMesh(SdfPath const &id, HdCCRenderParam *param)
 HdDirtyBits HdCCMesh::GetInitialDirtyBitsMask() const {
     return HdChangeTracker::DirtyPrimID | HdChangeTracker::DirtyTopology |
            HdChangeTracker::DirtySubdivTags | HdChangeTracker::DirtyPoints |
-           HdChangeTracker::DirtyPrimvar | HdChangeTracker::DirtyComputationPrimvarDesc |
-           HdChangeTracker::DirtyTransform | HdChangeTracker::DirtyVisibility |
-           HdChangeTracker::DirtyDoubleSided | HdChangeTracker::DirtyCullStyle |
-           HdChangeTracker::DirtyInstancer | HdChangeTracker::DirtyRenderTag;
+           HdChangeTracker::DirtyPrimvar | HdChangeTracker::DirtyNormals |
+           HdChangeTracker::DirtyComputationPrimvarDesc | HdChangeTracker::DirtyTransform |
+           HdChangeTracker::DirtyVisibility | HdChangeTracker::DirtyDoubleSided |
+           HdChangeTracker::DirtyCullStyle | HdChangeTracker::DirtyInstancer |
+           HdChangeTracker::DirtyRenderTag;
 }
 
 HdDirtyBits HdCCMesh::_PropagateDirtyBits(HdDirtyBits bits) const {
@@ -60,12 +63,9 @@ void HdCCMesh::Sync(HdSceneDelegate *delegate, HdRenderParam *param, HdDirtyBits
     if (bits & (HdChangeTracker::DirtyPoints | HdChangeTracker::DirtyComputationPrimvarDesc)) {
         _SyncPoints(delegate);
     }
-    if (bits & HdChangeTracker::DirtyPrimvar) {
-        TfTokenVector names = static_cast<HdCCRenderParam *>(param)->GetPrimvarsAskedFor();
-        names.push_back(_tokens->displayColor);
-        for (TfToken const &name : names) {
-            _SyncPrimvar(delegate, name);
-        }
+    if (bits & (HdChangeTracker::DirtyPrimvar | HdChangeTracker::DirtyNormals |
+                HdChangeTracker::DirtyTopology)) {
+        _SyncPrimvars(delegate, static_cast<HdCCRenderParam *>(param)->GetPrimvarsAskedFor());
     }
     if (bits & HdChangeTracker::DirtyTransform) {
         _mesh->SetTransform(HdCCToTransform(delegate->GetTransform(GetId())));
@@ -87,6 +87,7 @@ void HdCCMesh::_SyncTopology(HdSceneDelegate *delegate) {
         TF_WARN("<%s>: the subdivision scheme '%s' is not supported; the mesh is left out",
                 GetId().GetText(), topology.GetScheme().GetText());
     }
+    _isPolygonal = _hasTopology && mesh.scheme == cc::Scheme::None;
     _mesh->SetTopology(std::move(mesh));
 }
 
@@ -162,6 +163,18 @@ void HdCCMesh::_SyncPrimvar(HdSceneDelegate *delegate, TfToken const &name) {
         }
     }
     _mesh->SetPrimvar(name.GetString(), std::move(primvar));
+}
+
+void HdCCMesh::_SyncPrimvars(HdSceneDelegate *delegate, TfTokenVector names) {
+    names.push_back(_tokens->displayColor);
+    if (_isPolygonal) {
+        names.push_back(_tokens->normals);
+    } else if (std::find(names.begin(), names.end(), _tokens->normals) == names.end()) {
+        _mesh->SetPrimvar(_tokens->normals, cc::Primvar());
+    }
+    for (TfToken const &name : names) {
+        _SyncPrimvar(delegate, name);
+    }
 }
 
 void HdCCMesh::SyncLatePrimvar(TfToken const &name) {

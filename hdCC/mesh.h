@@ -34,6 +34,7 @@ class HdCCMesh final : public HdMesh {
   private:
     void _SyncTopology(HdSceneDelegate *delegate);
     void _SyncPoints(HdSceneDelegate *delegate);
+    void _SyncPrimvars(HdSceneDelegate *delegate, TfTokenVector names);
     void _SyncPrimvar(HdSceneDelegate *delegate, TfToken const &name);
     void _SyncSides(HdSceneDelegate *delegate);
     void _SyncShown(HdSceneDelegate *delegate, HdRenderParam *param, HdDirtyBits *dirtyBits);
@@ -42,6 +43,8 @@ class HdCCMesh final : public HdMesh {
     /// What the mesh was last synced with: primvars may be asked for later.
     HdSceneDelegate *_delegate = nullptr;
     bool _hasTopology = false, _hasPoints = false;
+    /// Polygons have normals of their own; subdivision takes those of the surface.
+    bool _isPolygonal = false;
 };
 
 PXR_NAMESPACE_CLOSE_SCOPE

@@ -88,6 +88,13 @@ Box3f SurfaceBounds(const PatchTable& patches, uint32_t patch, const Vec3f* poin
         case PatchKind::IrregularTriangle:
             return IrregularBounds(GatherIrregularTriangle(patches, patch, points),
                                    kIrregularSteps);
+        case PatchKind::FlatTriangle: {
+            Box3f box;
+            for (int i = 0; i < 3; ++i) {
+                box.Extend(points[patches.Indices(patch)[i]]);
+            }
+            return box;
+        }
     }
     return {};
 }

@@ -34,7 +34,9 @@ Arrival ArrivalAt(const ShadingPoint& point, const Light& light, const Box3f& bo
         arrival.distance = 1 - kLightClearance;
         strength = 1 / Dot(arrival.towardsLight, arrival.towardsLight);
     }
-    const float cosine = Dot(point.normal, Normalize(arrival.towardsLight));
+    const Vec3f direction = Normalize(arrival.towardsLight);
+    // What lies behind the surface does not light it, whatever an authored normal says.
+    const float cosine = Dot(point.normal, direction) > 0 ? Dot(point.shadingNormal, direction) : 0;
     arrival.irradiance = light.power * (strength * cosine);
     const bool arrives = cosine > 0 && std::isfinite(strength) && IsFinite(arrival.irradiance);
     return arrives ? arrival : Arrival{};

@@ -16,7 +16,7 @@ struct Aov {
         PrimId,       ///< 1 int. Background -1
         InstanceId,   ///< 1 int. Background -1
         ElementId,    ///< 1 int: the authored face. Background -1
-        Normal,       ///< 3 floats: unit, world space, of the side that is seen. Background 0 0 0
+        Normal,       ///< 3 floats: the shading normal, unit, world space. Background 0 0 0
         Neye,         ///< 3 floats: as Normal, in camera space. Background 0 0 0
         Primvar,      ///< floats: a primvar of the mesh that is seen. Background 0
     };

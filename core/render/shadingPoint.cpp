@@ -102,10 +102,20 @@ float LargestNumber(const Instance& instance, const Vec3f& objectPosition, const
     return largest;
 }
 
+/// An authored normal in world space, turned to the side that the surface's normal is on: it
+/// shades, but does not say what is outside.
+Vec3f ShadingNormal(const Instance& instance, const Vec3f& authored, const Vec3f& normal) {
+    const Vec3f world = Normalize(instance.worldToObject.NormalByInverse(Normalize(authored)));
+    if (world == Vec3f{}) {
+        return normal;
+    }
+    return Dot(world, normal) < 0 ? -world : world;
+}
+
 }  // namespace
 
-ShadingPoint MakeShadingPoint(const Instance& instance, const RayPacket& rays,
-                              const HitPacket& hits, int lane, int level) {
+ShadingPoint MakeShadingPoint(const Instance& instance, const Vec3f& authoredNormal,
+                              const RayPacket& rays, const HitPacket& hits, int lane, int level) {
     const LimitPoint limit = LimitAtHit(instance, hits, lane);
     const Vec3f direction = RayDirection(rays, lane);
     const Vec3f origin{rays.originX[lane], rays.originY[lane], rays.originZ[lane]};
@@ -120,6 +130,10 @@ ShadingPoint MakeShadingPoint(const Instance& instance, const RayPacket& rays,
     if (point.normal == Vec3f{}) {
         point.normal = Normalize(-direction);
     }
+    point.shadingNormal = ShadingNormal(instance, authoredNormal, point.normal);
+    const LimitPoint onFace = ByFaceParameter(instance.surface->Patches(), hits.patch[lane], limit);
+    point.du = instance.objectToWorld.Direction(onFace.du);
+    point.dv = instance.objectToWorld.Direction(onFace.dv);
     // Where the surface is hollow, the quads lie above it and would shadow it; where it bulges, the
     // quads lie below, and on a quad's own plane its neighbours would cast shadows.
     const bool isQuadAbove = Dot(hitPosition - point.position, point.normal) > 0;

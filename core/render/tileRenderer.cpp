@@ -146,8 +146,12 @@ void TileRenderer::_PassThroughCulled(Sample* sample, RenderStatistics* statisti
 }
 
 ShadingPoint TileRenderer::_Shade(const Sample& sample, int lane) const {
-    return MakeShadingPoint(_scene.Instances().Instances()[sample.hits.instance[lane]], sample.rays,
-                            sample.hits, lane, _options.level);
+    const HitPacket& hits = sample.hits;
+    const uint32_t instance = hits.instance[lane];
+    const Vec3f authored =
+        _scene.InstanceMesh(instance).AuthoredNormal(hits.patch[lane], hits.u[lane], hits.v[lane]);
+    return MakeShadingPoint(_scene.Instances().Instances()[instance], authored, sample.rays, hits,
+                            lane, _options.level);
 }
 
 void TileRenderer::_AddColor(const Sample& sample, float* rgba,
@@ -207,7 +211,7 @@ void TileRenderer::_WriteSurface(const Tile& tile, const Sample& sample) const {
                       : -1;
         }
         if (normal || neye) {
-            const Vec3f n = isHit ? _Shade(sample, lane).normal : Vec3f{};
+            const Vec3f n = isHit ? _Shade(sample, lane).shadingNormal : Vec3f{};
             if (normal) Store(n, normal + 3 * pixel);
             if (neye) Store(_camera.CameraNormal(n), neye + 3 * pixel);
         }

@@ -10,7 +10,7 @@
 namespace cc {
 namespace {
 
-constexpr char kDisplayColor[] = "displayColor";
+constexpr char kDisplayColor[] = "displayColor", kNormals[] = "normals";
 
 /// Larger coordinates overflow when they are squared and summed up.
 constexpr float kLargestCoordinate = 1e18f;
@@ -58,6 +58,15 @@ size_t BytesOfTags(const ControlMesh& mesh) {
            BytesOf(mesh.cornerSharpnesses);
 }
 
+size_t CountZeroes(const Primvar& normals) {
+    size_t count = 0;
+    for (size_t i = 0; i + 2 < normals.values.size(); i += 3) {
+        const float* n = &normals.values[i];
+        count += Normalize({n[0], n[1], n[2]}) == Vec3f{};
+    }
+    return count;
+}
+
 }  // namespace
 
 Mesh::Mesh(std::string name) : _name(std::move(name)) {}
@@ -78,7 +87,7 @@ void Mesh::SetPoints(std::vector<Vec3f> points) {
 void Mesh::SetPrimvar(const std::string& name, Primvar primvar) {
     if (primvar.IsEmpty()) {
         _primvars.erase(name);
-        _displayColor = name == kDisplayColor ? nullptr : _displayColor;
+        _NotePrimvarsForShading();
         return;
     }
     PrimvarSlot& slot = _primvars[name];
@@ -100,6 +109,14 @@ void Mesh::SetVisible(bool visible) { _visible = visible; }
 void Mesh::SetCullBackFaces(bool cull) { _cullBackFaces = cull; }
 
 void Mesh::SetRenderTag(std::string tag) { _renderTag = std::move(tag); }
+
+Vec3f Mesh::AuthoredNormal(uint32_t patch, float u, float v) const {
+    if (!_normals) {
+        return {};
+    }
+    const SurfaceValue normal = Evaluate(*_normals, patch, u, v);
+    return {normal.value[0], normal.value[1], normal.value[2]};
+}
 
 Vec3f Mesh::DisplayColor(uint32_t patch, float u, float v) const {
     if (!_displayColor) {
@@ -153,7 +170,6 @@ void Mesh::_BuildSurface(BuildReport* report) {
 }
 
 void Mesh::_TakePrimvarsBack() {
-    _displayColor = nullptr;
     for (auto& [name, slot] : _primvars) {
         if (!slot.isChanged && !slot.field.IsEmpty()) {
             slot.waiting = slot.field.TakePrimvar(_surface->Patches());
@@ -161,6 +177,12 @@ void Mesh::_TakePrimvarsBack() {
         slot.field = {};
         slot.isChanged = true;
     }
+    _NotePrimvarsForShading();
+}
+
+void Mesh::_NotePrimvarsForShading() {
+    _displayColor = FindPrimvar(kDisplayColor);
+    _normals = _tags.scheme == Scheme::None ? FindPrimvar(kNormals) : nullptr;
 }
 
 void Mesh::_RebuildSurface(BuildReport* report) {
@@ -220,23 +242,30 @@ void Mesh::_BuildPrimvars(BuildReport* report) {
             ++report->primvarsBuilt;
         }
     }
-    _displayColor = FindPrimvar(kDisplayColor);
+    _NotePrimvarsForShading();
 }
 
 void Mesh::_BuildPrimvar(const std::string& name, PrimvarSlot* slot, BuildReport* report) const {
     const size_t pointCount = _surface->Patches().CagePointCount();
     std::string error = CheckPrimvar(name, slot->waiting, _faces, pointCount);
     const bool isColor = name == kDisplayColor;
-    if (error.empty() && isColor && slot->waiting.arity != 3) {
+    const bool isNormals = name == kNormals && _tags.scheme == Scheme::None;
+    if (error.empty() && (isColor || isNormals) && slot->waiting.arity != 3) {
         error = name + " has " + std::to_string(slot->waiting.arity) + " numbers a value, not 3";
     }
     slot->isChanged = false;
     // Kept if it does not fit, as the next topology may be the one that it belongs to.
     slot->field = {};
     if (!error.empty()) {
-        report->lines.push_back(error +
-                                (isColor ? "; the mesh is shown in grey" : "; it is left out"));
+        report->lines.push_back(error + (isColor     ? "; the mesh is shown in grey"
+                                         : isNormals ? "; facets are shown"
+                                                     : "; it is left out"));
         return;
+    }
+    const size_t zeroes = isNormals ? CountZeroes(slot->waiting) : 0;
+    if (zeroes > 0) {
+        report->lines.push_back(std::to_string(zeroes) +
+                                " normals have no length; facets are shown there");
     }
     FaceVaryingChannel channel = _MakeChannel(name, slot->waiting, report);
     slot->field =

@@ -31,8 +31,9 @@ class Mesh {
     void SetTopology(ControlMesh topology);
     void SetPoints(std::vector<Vec3f> points);
     /// Sets a primvar by its name without the prefix primvars:, as in "st". Empty ones are taken
-    /// away. A mesh is shaded with its displayColor, of three numbers; any other is there to be
-    /// evaluated. Values that are those in use already cost no work.
+    /// away. A mesh is shaded with its displayColor and under scheme none with its normals, each of
+    /// three numbers; any other is there to be evaluated. Values that are those in use already cost
+    /// no work.
     void SetPrimvar(const std::string& name, Primvar primvar);
     void SetTransform(const AffineTransform& objectToWorld);
     void SetVisible(bool visible);
@@ -54,6 +55,9 @@ class Mesh {
     SurfaceValue Evaluate(const PrimvarField& primvar, uint32_t patch, float u, float v) const {
         return primvar.Evaluate(_surface->Patches(), _faces, patch, u, v);
     }
+    /// The normal that the scene gives a point of a patch of scheme none, in object space and of
+    /// any length; zero if it gives none.
+    Vec3f AuthoredNormal(uint32_t patch, float u, float v) const;
     /// Linear RGB display colour at a point of a patch.
     Vec3f DisplayColor(uint32_t patch, float u, float v) const;
 
@@ -87,6 +91,8 @@ class Mesh {
     void _RebuildSurface(BuildReport* report);
     void _MoveSurface(BuildReport* report);
     void _BuildPrimvars(BuildReport* report);
+    /// Looks for those primvars that shading asks for at every hit.
+    void _NotePrimvarsForShading();
     void _BuildPrimvar(const std::string& name, PrimvarSlot* slot, BuildReport* report) const;
     /// Empty if the primvar needs none.
     FaceVaryingChannel _MakeChannel(const std::string& name, const Primvar& primvar,
@@ -123,6 +129,8 @@ class Mesh {
     std::map<std::string, PrimvarSlot> _primvars;
     /// Of displayColor; null for the default grey.
     const PrimvarField* _displayColor = nullptr;
+    /// Null if there are none, or subdivision gives the normals.
+    const PrimvarField* _normals = nullptr;
 };
 
 }  // namespace cc

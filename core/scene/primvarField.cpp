@@ -109,7 +109,9 @@ SurfaceValue PrimvarField::Evaluate(const PatchTable& patches, const FaceVertice
                 return _channel.Evaluate(patches.ToFace(patch, u, v));
             }
             [[fallthrough]];
-        case Interpolation::Varying: return _EvaluateOnFace(faces, patches.ToFace(patch, u, v));
+        case Interpolation::Varying:
+            return patches.IsTriangle(patch) ? _EvaluateOnTriangle(patches, faces, patch, u, v)
+                                             : _EvaluateOnQuad(faces, patches.ToFace(patch, u, v));
         case Interpolation::Uniform: element = patches.AuthoredFace(patch); break;
         case Interpolation::Constant: break;
     }
@@ -118,25 +120,36 @@ SurfaceValue PrimvarField::Evaluate(const PatchTable& patches, const FaceVertice
     return result;
 }
 
-SurfaceValue PrimvarField::_EvaluateOnFace(const FaceVertices& faces,
+const float* PrimvarField::_AtFaceVertex(const FaceVertices& faces, size_t faceVertex) const {
+    const bool isFaceVarying = _primvar.interpolation == Interpolation::FaceVarying;
+    return _primvar.Element(isFaceVarying ? faceVertex : faces.Point(faceVertex));
+}
+
+SurfaceValue PrimvarField::_EvaluateOnTriangle(const PatchTable& patches, const FaceVertices& faces,
+                                               uint32_t patch, float u, float v) const {
+    const size_t first = faces.FirstOfFace(patches.AuthoredFace(patch));
+    const PolygonTriangle corners = patches.TriangleCorners(patch);
+    const float* const a = _AtFaceVertex(faces, first + corners[0]);
+    const float* const b = _AtFaceVertex(faces, first + corners[1]);
+    const float* const c = _AtFaceVertex(faces, first + corners[2]);
+    SurfaceValue result;
+    for (int i = 0; i < _primvar.arity; ++i) {
+        result.value[i] = a[i] * (1 - u - v) + (b[i] * u + c[i] * v);
+        result.du[i] = b[i] - a[i];
+        result.dv[i] = c[i] - a[i];
+    }
+    return result;
+}
+
+SurfaceValue PrimvarField::_EvaluateOnQuad(const FaceVertices& faces,
                                            const FaceParameter& at) const {
     const FaceCorners corners(faces, at.face);
     const int count = corners.Count();
     const auto number = [&](int corner, int i) {
-        const size_t faceVertex = corners.FaceVertex(corner);
-        return _primvar.Element(_primvar.interpolation == Interpolation::FaceVarying
-                                    ? faceVertex
-                                    : faces.Point(faceVertex))[i];
+        return _AtFaceVertex(faces, corners.FaceVertex(corner))[i];
     };
     SurfaceValue result;
     for (int i = 0; i < _primvar.arity; ++i) {
-        if (at.isTriangle) {
-            const float a = number(0, i), b = number(1, i), c = number(2, i);
-            result.value[i] = a * (1 - at.u - at.v) + (b * at.u + c * at.v);
-            result.du[i] = b - a;
-            result.dv[i] = c - a;
-            continue;
-        }
         float quad[4];
         if (count == 4) {
             for (int corner = 0; corner < 4; ++corner) {

@@ -39,7 +39,11 @@ class PrimvarField {
     size_t Bytes() const;
 
   private:
-    SurfaceValue _EvaluateOnFace(const FaceVertices& faces, const FaceParameter& at) const;
+    /// Of varying and faceVarying values.
+    const float* _AtFaceVertex(const FaceVertices& faces, size_t faceVertex) const;
+    SurfaceValue _EvaluateOnTriangle(const PatchTable& patches, const FaceVertices& faces,
+                                     uint32_t patch, float u, float v) const;
+    SurfaceValue _EvaluateOnQuad(const FaceVertices& faces, const FaceParameter& at) const;
 
     /// Without the values if they are in _vertexValues.
     Primvar _primvar{Interpolation::Constant, 0, {}, {}};

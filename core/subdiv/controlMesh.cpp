@@ -47,7 +47,21 @@ std::string CheckFaces(const ControlMesh& mesh, size_t pointCount) {
     return mesh.scheme == Scheme::Loop ? CheckTriangles(mesh) : std::string();
 }
 
+/// Polygons that are not subdivided are triangulated whatever vertices they have.
+void WarnOfSmallFaces(const ControlMesh& mesh, ControlMeshReport* report) {
+    const auto small = std::count_if(mesh.faceVertexCounts.begin(), mesh.faceVertexCounts.end(),
+                                     [](int count) { return count < 3; });
+    if (small > 0) {
+        report->warnings.push_back(std::to_string(small) +
+                                   " faces have fewer than three vertices and are left out");
+    }
+}
+
 void WarnOfDegenerateFaces(const ControlMesh& mesh, ControlMeshReport* report) {
+    if (mesh.scheme == Scheme::None) {
+        WarnOfSmallFaces(mesh, report);
+        return;
+    }
     size_t collapsed = 0, leftOut = 0;
     const int* face = mesh.faceVertexIndices.data();
     for (int count : mesh.faceVertexCounts) {

@@ -56,7 +56,8 @@ struct ControlMeshReport {
 
 /// Checks the topology and the tags against a number of points, and mends what can be mended:
 /// tags that name no vertex, edge or face of the mesh are dropped, sharpness is clamped to
-/// [0, 10] and repeated holes are merged. Faces that KeptCorners gives nothing for are left out.
+/// [0, 10] and repeated holes are merged. Faces that KeptCorners gives nothing for are left out,
+/// under scheme none only those of fewer than three vertices.
 /// Creases are rewritten as runs of two vertices with one sharpness each.
 /// Counts that do not add up and indices out of range cannot be mended, nor can faces of more than
 /// three vertices under the Loop scheme.

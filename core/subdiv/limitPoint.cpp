@@ -201,6 +201,17 @@ LimitPoint EvaluateIrregular(const IrregularPatch& patch, float u, float v) {
     return point;
 }
 
+LimitPoint EvaluateFlat(const uint32_t* indices, const Vec3f* values, float u, float v) {
+    const Vec3f &a = values[indices[0]], &b = values[indices[1]], &c = values[indices[2]];
+    LimitPoint point;
+    point.position = a * (1 - u - v) + (b * u + c * v);
+    point.du = b - a;
+    point.dv = c - a;
+    // Scaled first, lest the product of small sides vanish.
+    point.normal = Normalize(Cross(Normalize(point.du), Normalize(point.dv)));
+    return point;
+}
+
 }  // namespace
 
 LimitPoint EvaluateLimit(const PatchTable& patches, uint32_t patch, const Vec3f* values, float u,
@@ -220,6 +231,9 @@ LimitPoint EvaluateLimit(const PatchTable& patches, uint32_t patch, const Vec3f*
         case PatchKind::RegularTriangle:
         case PatchKind::IrregularTriangle:
             point = EvaluateTriangle(patches, patch, values, u, v);
+            break;
+        case PatchKind::FlatTriangle:
+            point = EvaluateFlat(patches.Indices(patch), values, u, v);
             break;
     }
     if (patches.IsLeftHanded()) {

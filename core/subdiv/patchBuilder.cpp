@@ -181,7 +181,7 @@ void AddCatmullClark(const ControlMesh& mesh, size_t pointCount, PatchTable* tab
     }
 }
 
-/// Bilinear and polygonal faces: a quad is its own patch, an n-gon becomes n of them.
+/// Bilinear faces: a quad is its own patch, an n-gon becomes n of them.
 void AddBilinear(const ControlMesh& mesh, PatchTable* table) {
     std::vector<char> isHole(mesh.faceVertexCounts.size(), 0);
     for (int hole : mesh.holeIndices) {
@@ -225,7 +225,52 @@ void AddBilinear(const ControlMesh& mesh, PatchTable* table) {
     }
 }
 
+/// Polygons, as fans of triangles. They may meet a vertex twice: a bridge to a hole does.
+void AddPolygons(const ControlMesh& mesh, PatchTable* table) {
+    std::vector<char> isHole(mesh.faceVertexCounts.size(), 0);
+    for (int hole : mesh.holeIndices) {
+        isHole[hole] = 1;
+    }
+    const int* vertices = mesh.faceVertexIndices.data();
+    for (uint32_t face = 0; face < mesh.faceVertexCounts.size(); ++face) {
+        const int count = mesh.faceVertexCounts[face];
+        const std::vector<uint32_t> points(vertices, vertices + count);
+        vertices += count;
+        std::vector<PolygonTriangle> fan;
+        for (uint32_t i = 2; i < points.size() && !isHole[face]; ++i) {
+            fan.push_back({0, i - 1, i});
+        }
+        table->AddPolygon(face, points, fan);
+    }
+}
+
 }  // namespace
+
+void CutPolygons(const std::vector<Vec3f>& points, PatchTable* table) {
+    uint32_t end = 0;
+    for (uint32_t first = 0; first < table->Count(); first = end) {
+        const uint32_t face = table->AuthoredFace(first);
+        end = first;
+        while (end < table->Count() && table->AuthoredFace(end) == face) {
+            ++end;
+        }
+        if (table->At(first).kind != PatchKind::FlatTriangle || end - first < 2) {
+            continue;
+        }
+        std::vector<uint32_t> corners(end - first + 2);
+        for (uint32_t patch = first; patch < end; ++patch) {
+            const PolygonTriangle triangle = table->TriangleCorners(patch);
+            for (int i = 0; i < 3; ++i) {
+                corners[triangle[i]] = table->Indices(patch)[i];
+            }
+        }
+        std::vector<Vec3f> positions;
+        for (uint32_t point : corners) {
+            positions.push_back(points[point]);
+        }
+        table->RecutPolygon(first, corners, TriangulatePolygon(positions));
+    }
+}
 
 PatchTable BuildPatchTable(const ControlMesh& mesh, size_t pointCount, std::string* error) {
     error->clear();
@@ -236,8 +281,10 @@ PatchTable BuildPatchTable(const ControlMesh& mesh, size_t pointCount, std::stri
         AddCatmullClark(mesh, pointCount, &table, error);
     } else if (mesh.scheme == Scheme::Loop) {
         AddLoop(mesh, pointCount, &table, error);
-    } else {
+    } else if (mesh.scheme == Scheme::Bilinear) {
         AddBilinear(mesh, &table);
+    } else {
+        AddPolygons(mesh, &table);
     }
     if (!error->empty()) {
         return PatchTable(pointCount, mesh.leftHanded, decay);

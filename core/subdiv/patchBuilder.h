@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "core/subdiv/controlMesh.h"
 #include "core/subdiv/patchTable.h"
@@ -18,5 +19,11 @@ namespace cc {
 /// @param mesh   must have passed ValidateControlMesh
 /// @param error  set to the reason if the topology cannot be used; the table is empty then
 PatchTable BuildPatchTable(const ControlMesh& mesh, size_t pointCount, std::string* error);
+
+/// Cuts the polygons of a table of scheme none into the triangles that their points ask for
+/// (TriangulatePolygon); other tables stay as they are. Until then polygons are fans around their
+/// first corner. Patches keep their numbers: as many belong to each polygon as before.
+/// @param points  those of the cage, finite
+void CutPolygons(const std::vector<Vec3f>& points, PatchTable* table);
 
 }  // namespace cc

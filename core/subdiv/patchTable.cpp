@@ -12,6 +12,7 @@ int PatchTable::IndexCount(uint32_t patch) const {
         case PatchKind::Irregular: return 8;
         case PatchKind::RegularTriangle: return 12;
         case PatchKind::IrregularTriangle: return 6;
+        case PatchKind::FlatTriangle: return 3;
         case PatchKind::Extraordinary: break;
     }
     return 2 * _patches[patch].valence + 8;
@@ -54,7 +55,7 @@ std::vector<Vec3f> PatchTable::PatchPoints(const std::vector<Vec3f>& cageValues)
 FaceParameter PatchTable::ToFace(uint32_t patch, float u, float v) const {
     const Patch& p = _patches[patch];
     if (IsTriangle(patch)) {
-        return {p.face, 0, u, v, true};
+        return {p.face, p.corner, u, v, true};
     }
     float cellU = u, cellV = v;
     switch (p.rotation) {
@@ -88,6 +89,42 @@ void PatchTable::AddPatch(Patch patch, const uint32_t* indices, int count) {
     _indices.insert(_indices.end(), indices, indices + count);
     _patches.push_back(patch);
     _maxDepth = std::max(_maxDepth, static_cast<int>(patch.depth));
+}
+
+PolygonTriangle PatchTable::TriangleCorners(uint32_t patch) const {
+    if (_patches[patch].kind != PatchKind::FlatTriangle) {
+        return {0, 1, 2};
+    }
+    const uint32_t* const corners = Indices(patch) + 3;
+    return {corners[0], corners[1], corners[2]};
+}
+
+void PatchTable::_SetTriangle(uint32_t* indices, const std::vector<uint32_t>& points,
+                              const PolygonTriangle& triangle) {
+    for (int i = 0; i < 3; ++i) {
+        indices[i] = points[triangle[i]];
+        indices[3 + i] = triangle[i];
+    }
+}
+
+void PatchTable::AddPolygon(uint32_t face, const std::vector<uint32_t>& points,
+                            const std::vector<PolygonTriangle>& triangles) {
+    Patch patch{};
+    patch.face = face;
+    patch.kind = PatchKind::FlatTriangle;
+    for (const PolygonTriangle& triangle : triangles) {
+        uint32_t indices[6];
+        _SetTriangle(indices, points, triangle);
+        AddPatch(patch, indices, 6);
+        ++patch.corner;
+    }
+}
+
+void PatchTable::RecutPolygon(uint32_t firstPatch, const std::vector<uint32_t>& points,
+                              const std::vector<PolygonTriangle>& triangles) {
+    for (const PolygonTriangle& triangle : triangles) {
+        _SetTriangle(&_indices[_patches[firstPatch++].firstIndex], points, triangle);
+    }
 }
 
 uint32_t PatchTable::AddRing(PatchRing ring, const std::vector<uint32_t>& indices,

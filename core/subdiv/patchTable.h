@@ -6,6 +6,7 @@
 
 #include "core/math/vec.h"
 #include "core/subdiv/ringTags.h"
+#include "core/subdiv/triangulation.h"
 
 namespace cc {
 
@@ -27,13 +28,17 @@ enum class PatchKind : uint8_t {
     RegularTriangle,
     /// Three rings, one a corner, each with the triangle's place in it (IrregularTriangle).
     IrregularTriangle,
+    /// 3 points: a flat triangle of a polygon, of scheme none. Beside them, the table knows which
+    /// corners of the polygon they are.
+    FlatTriangle,
 };
 
-/// One quad of the surface with its 1-ring, or one triangle under the Loop scheme.
+/// One quad of the surface with its 1-ring, one triangle under the Loop scheme, or one of those
+/// that a polygon is cut into.
 struct Patch {
     uint32_t firstIndex;    ///< into PatchTable's index array
     uint32_t face;          ///< the authored face
-    uint32_t corner;        ///< of an n-gon: which of its n sub-quads; else 0
+    uint32_t corner;        ///< of an n-gon: which of its n sub-quads or n - 2 triangles; else 0
     uint16_t cellU, cellV;  ///< which of the 2^cellDepth x 2^cellDepth cells of the (sub-)quad
     uint16_t valence;       ///< largest at its corners: 4 if it is regular, 6 as a triangle
     uint8_t depth;          ///< refinement steps between the cage and this quad
@@ -59,7 +64,8 @@ struct PatchRing {
 /// Where a point of a patch lies on its authored face. On a quad, (0,0) is the first corner and u
 /// runs towards the second. On an n-gon, (u, v) covers the sub-quad of one corner: (0,0) is that
 /// corner, u runs towards the middle of the edge to the next one, (1,1) is the face's centre. On a
-/// triangle of the Loop scheme, (0,0) is the first corner, (1,0) the second and (0,1) the third.
+/// triangle of the Loop scheme, (0,0) is the first corner, (1,0) the second and (0,1) the third; so
+/// it is on each triangle of a polygon of scheme none, where `corner` counts the triangles.
 struct FaceParameter {
     uint32_t face;
     uint32_t corner;
@@ -90,6 +96,8 @@ class PatchTable {
     bool IsTriangle(uint32_t patch) const {
         return _patches[patch].kind >= PatchKind::RegularTriangle;
     }
+    /// Which corners of its authored face the corners of a triangle are.
+    PolygonTriangle TriangleCorners(uint32_t patch) const;
     /// Refinement steps of the patch that took most of them.
     int MaxDepth() const { return _maxDepth; }
     /// True if the cage's faces run clockwise: normals are flipped.
@@ -119,6 +127,12 @@ class PatchTable {
     uint32_t AddPoint(const Stencil& stencil);
     /// Adds a patch; its firstIndex is set to where its indices go.
     void AddPatch(Patch patch, const uint32_t* indices, int count);
+    /// Adds the triangles of a polygon, given the points of its corners.
+    void AddPolygon(uint32_t face, const std::vector<uint32_t>& points,
+                    const std::vector<PolygonTriangle>& triangles);
+    /// Cuts a polygon anew, as many triangles as before, given its first patch.
+    void RecutPolygon(uint32_t firstPatch, const std::vector<uint32_t>& points,
+                      const std::vector<PolygonTriangle>& triangles);
     /// Adds a ring; returns its index.
     uint32_t AddRing(PatchRing ring, const std::vector<uint32_t>& indices,
                      const std::vector<float>& sharpnesses);
@@ -126,6 +140,9 @@ class PatchTable {
     void Finish();
 
   private:
+    void _SetTriangle(uint32_t* indices, const std::vector<uint32_t>& points,
+                      const PolygonTriangle& triangle);
+
     std::vector<Patch> _patches;
     std::vector<uint32_t> _indices;
     std::vector<PatchRing> _rings;

@@ -14,6 +14,7 @@ Surface::Surface(const ControlMesh& mesh, const std::vector<Vec3f>& points) {
 }
 
 void Surface::SetPoints(const std::vector<Vec3f>& points) {
+    CutPolygons(points, &_patches);
     _patchPoints = _patches.PatchPoints(points);
     std::vector<Box3f> boxes(_patches.Count());
     tbb::parallel_for(size_t(0), boxes.size(), [&](size_t i) {

@@ -21,9 +21,9 @@ namespace cc {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Intersects rays with the triangles of the Loop scheme by Algorithm 1 of the paper, as
-/// PatchIntersector does with quads: parts are culled by their Bezier hull or split into four, and
-/// the last levels are evaluated at once.
+/// Intersects rays with the triangles of the Loop scheme and of polygons by Algorithm 1 of the
+/// paper, as PatchIntersector does with quads: parts are culled by their Bezier hull or split into
+/// four, and the last levels are evaluated at once.
 /// @tparam Rays     PacketRays or SingleRay
 /// @tparam kAnyHit  rays end at whatever they hit first, and hits are not recorded
 template <class Rays, bool kAnyHit>
@@ -47,7 +47,12 @@ class TriangleIntersector {
         _isShortened = false;
         const PatchTable& patches = _surface.Patches();
         const Vec3f* points = _surface.PatchPoints().data();
-        if (patches.At(patch).kind == PatchKind::RegularTriangle) {
+        if (patches.At(patch).kind == PatchKind::FlatTriangle) {
+            const uint32_t* indices = patches.Indices(patch);
+            const Vec3f corners[3] = {points[indices[0]], points[indices[1]], points[indices[2]]};
+            _tolerance = RoundingTolerance(corners, 3);
+            _IntersectCorners(corners, SubTriangle(), firstRay);
+        } else if (patches.At(patch).kind == PatchKind::RegularTriangle) {
             const BezierTriangle bezier = GatherBezierTriangle(patches, patch, points);
             _tolerance = RoundingTolerance(bezier.points, BezierTriangle::kPointCount);
             _IntersectBezier(bezier, SubTriangle(), _level, firstRay);
@@ -89,8 +94,7 @@ class TriangleIntersector {
         if (splits == 0) {
             Vec3f corners[3];
             patch.LimitCorners(corners);
-            TriangleBlock block(corners);
-            _IntersectBlock(&block, at, RaysIn(_rays, _BoxOf(corners), firstRay));
+            _IntersectCorners(corners, at, firstRay);
             return;
         }
         ++_statistics.subdivisionsIrregular;
@@ -101,12 +105,13 @@ class TriangleIntersector {
         }
     }
 
-    Box3f _BoxOf(const Vec3f corners[3]) const {
+    void _IntersectCorners(const Vec3f corners[3], const SubTriangle& at, int firstRay) {
         Box3f box;
         for (int i = 0; i < 3; ++i) {
             box.Extend(corners[i]);
         }
-        return Widened(box, _tolerance);
+        TriangleBlock block(corners);
+        _IntersectBlock(&block, at, RaysIn(_rays, Widened(box, _tolerance), firstRay));
     }
 
     void _IntersectBezier(const BezierTriangle& bezier, const SubTriangle& whole, int splits,

@@ -12,7 +12,13 @@ namespace {
 constexpr float kPi = 3.14159265f;
 
 /// A white point at the origin that faces +z.
-ShadingPoint PointUp() { return {{0, 0, 0}, {0, 0, 1}, {0, 0, 1e-4f}, {1, 1, 1}}; }
+ShadingPoint PointUp() {
+    ShadingPoint point{};
+    point.normal = point.shadingNormal = {0, 0, 1};
+    point.rayOrigin = {0, 0, 1e-4f};
+    point.albedo = {1, 1, 1};
+    return point;
+}
 
 /// Light that a point sends on.
 Vec3f Lit(Scene* scene, const ShadingPoint& point, RenderStatistics* statistics) {

@@ -59,7 +59,7 @@ double BlockedShare(const Scene& scene, const Vec3f& center, float size, int lev
             }
             const Instance& instance = scene.Instances().Instances()[traced.hits.instance[i]];
             const ShadingPoint point =
-                MakeShadingPoint(instance, traced.rays, traced.hits, i, level);
+                MakeShadingPoint(instance, {}, traced.rays, traced.hits, i, level);
             if (Dot(point.normal, towardsLight) > 0) {
                 const int lane = shadow.count++;
                 shadow.originX[lane] = point.rayOrigin.x;
@@ -143,7 +143,7 @@ TEST(ShadingPoint, NormalsFaceTheViewer) {
                 ASSERT_TRUE(traced.IsHit(i));
                 const Instance& instance = scene.Instances().Instances()[0];
                 const ShadingPoint point =
-                    MakeShadingPoint(instance, traced.rays, traced.hits, i, 2);
+                    MakeShadingPoint(instance, {}, traced.rays, traced.hits, i, 2);
                 EXPECT_NEAR(point.normal.z, 1, 1e-6f);
                 EXPECT_NEAR(point.position.z, 3, 1e-6f);
                 EXPECT_EQ(IsHitFromBehind(instance, traced.rays, traced.hits, i, 2), reversed);
