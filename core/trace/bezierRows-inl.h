@@ -41,6 +41,52 @@ struct alignas(64) BezierRows {
     }
 };
 
+/// Weights that turn the 16 points of a uniform bicubic B-spline into the 16 of a Bezier patch,
+/// times 36: whole numbers.
+struct BezierConversion {
+    alignas(64) double weights[16][16];  ///< [B-spline point][Bezier point]
+
+    constexpr BezierConversion() : weights() {
+        constexpr int kCurve[4][4] = {{1, 4, 1, 0}, {0, 4, 2, 0}, {0, 2, 4, 0}, {0, 1, 4, 1}};
+        for (int from = 0; from < 16; ++from) {
+            for (int to = 0; to < 16; ++to) {
+                weights[from][to] = kCurve[to / 4][from / 4] * kCurve[to % 4][from % 4];
+            }
+        }
+    }
+};
+inline constexpr BezierConversion kBezierConversion;
+
+/// Gathers the Bezier form of a regular patch. Whole multiples of points on a lattice (Surface) add
+/// up without rounding, so that patches that share an edge round the same sums once.
+/// @param points  of the patch table, indices 16 of them
+HWY_INLINE void GatherRegular(const Vec3f* points, const uint32_t* indices, BezierRows* patch) {
+    const hn::CappedTag<double, 8> d;
+    const hn::Rebind<float, decltype(d)> df;
+    alignas(64) float bezier[3][16];
+    for (size_t lane = 0; lane < 16; lane += hn::Lanes(d)) {
+        auto x = hn::Zero(d), y = x, z = x;
+        for (int i = 0; i < 16; ++i) {
+            const Vec3f& p = points[indices[i]];
+            const auto weight = hn::Load(d, kBezierConversion.weights[i] + lane);
+            x = hn::MulAdd(weight, hn::Set(d, static_cast<double>(p.x)), x);
+            y = hn::MulAdd(weight, hn::Set(d, static_cast<double>(p.y)), y);
+            z = hn::MulAdd(weight, hn::Set(d, static_cast<double>(p.z)), z);
+        }
+        const auto scale = hn::Set(d, 1 / 36.0);
+        hn::Store(hn::DemoteTo(df, hn::Mul(x, scale)), df, bezier[0] + lane);
+        hn::Store(hn::DemoteTo(df, hn::Mul(y, scale)), df, bezier[1] + lane);
+        hn::Store(hn::DemoteTo(df, hn::Mul(z, scale)), df, bezier[2] + lane);
+    }
+    const hn::FixedTag<float, 4> d4;
+    for (int row = 0; row < 4; ++row) {
+        for (int axis = 0; axis < 3; ++axis) {
+            hn::Store(hn::Load(d4, bezier[axis] + 4 * row), d4, patch->rows[row] + 4 * axis);
+        }
+        hn::Store(hn::Zero(d4), d4, patch->rows[row] + 12);
+    }
+}
+
 using RowTag = hn::CappedTag<float, 16>;
 using RowVector = hn::Vec<RowTag>;
 

@@ -47,8 +47,9 @@ class QuadBlock {
                 _Subtract((*origin)[axes[k]], k);
             }
         }
-        for (int quad = 0; quad < kQuads; ++quad) {
-            _slack[quad] = tolerance > 0 ? 4 * tolerance * _Diagonal(quad) : 0;
+        std::fill(_slack, _slack + kQuads, 0.0f);
+        for (int quad = 0; quad < kQuads && tolerance > 0; ++quad) {
+            _slack[quad] = 4 * tolerance * _Diagonal(quad);
         }
     }
 

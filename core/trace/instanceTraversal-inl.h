@@ -31,23 +31,24 @@ HWY_INLINE void TraceInstances(const InstanceBvh& instances, const RayPacket& wo
     RayPacket current;
     bool isCopied = false;
     ObjectRays local;
-    TraverseBvh(instances.TopLevel(), &rays, statistics, [&](uint32_t index, int, const Box3f&) {
-        const Instance& instance = instances.Instances()[index];
-        if (instance.isInPlace) {
-            return traceSurface(*instance.surface, index, &rays);
-        }
-        if (!isCopied) {
-            current = world;
-            isCopied = true;
-        }
-        std::copy(worldRays->tMax, worldRays->tMax + worldRays->count, current.tMax);
-        TransformRays(current, instance.worldToObject, &local);
-        Rays localRays(&local);
-        const bool goesOn = traceSurface(*instance.surface, index, &localRays);
-        std::copy(local.tMax, local.tMax + local.count, worldRays->tMax);
-        rays.Shortened();
-        return goesOn;
-    });
+    TraverseBvh(instances.TopLevel(), &rays, statistics,
+                [&](uint32_t index, uint64_t, const Box3f&) {
+                    const Instance& instance = instances.Instances()[index];
+                    if (instance.isInPlace) {
+                        return traceSurface(*instance.surface, index, &rays);
+                    }
+                    if (!isCopied) {
+                        current = world;
+                        isCopied = true;
+                    }
+                    std::copy(worldRays->tMax, worldRays->tMax + worldRays->count, current.tMax);
+                    TransformRays(current, instance.worldToObject, &local);
+                    Rays localRays(&local);
+                    const bool goesOn = traceSurface(*instance.surface, index, &localRays);
+                    std::copy(local.tMax, local.tMax + local.count, worldRays->tMax);
+                    rays.Shortened();
+                    return goesOn;
+                });
 }
 
 }  // namespace HWY_NAMESPACE

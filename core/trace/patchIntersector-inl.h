@@ -85,10 +85,10 @@ class PatchIntersector {
         }
     }
 
-    /// @param box  of the patch, and firstRay the first ray that hits it
-    void Intersect(uint32_t patch, int firstRay, const Box3f& box) {
+    /// @param hitting  a bit for each ray that hits the patch's box
+    void Intersect(uint32_t patch, uint64_t hitting, const Box3f& box) {
         _isShortened = false;
-        _IntersectPatch(patch, firstRay, box);
+        _IntersectPatch(patch, hitting, box);
         if (_isShortened) {
             _rays.Shortened();
         }
@@ -100,11 +100,9 @@ class PatchIntersector {
   private:
     using Tag = typename Rays::Tag;
     static constexpr int kMaxSplits = 8;
-    /// Below this many rays each is tested against all blocks at once, else each block against all
-    /// rays at once.
-    static constexpr int kFewRays = 16;
 
-    void _IntersectPatch(uint32_t patch, int firstRay, const Box3f& box) {
+    void _IntersectPatch(uint32_t patch, uint64_t hitting, const Box3f& box) {
+        const int firstRay = __builtin_ctzll(hitting);
         ++_statistics.leafIntersections;
         _patch = patch;
         const PatchTable& patches = _surface.Patches();
@@ -117,10 +115,15 @@ class PatchIntersector {
         const Square whole{0, 0, 1};
         if (p.kind == PatchKind::Regular || p.kind == PatchKind::Bilinear) {
             _tolerance = 0;
-            const BezierRows bezier(GatherBezier(patches, patch, _surface.PatchPoints().data()));
+            const Vec3f* points = _surface.PatchPoints().data();
+            BezierRows bezier;
+            if (p.kind == PatchKind::Regular) {
+                GatherRegular(points, patches.Indices(patch), &bezier);
+            } else {
+                bezier = BezierRows(GatherBezier(patches, patch, points));
+            }
             if (splits <= kMaxGridSplits) {
-                _IntersectRegular(bezier, {whole, false}, splits,
-                                  RaysThatHit(Tag(), _rays.rays, _From(firstRay), box));
+                _IntersectRegular(bezier, {whole, false}, splits, hitting);
             } else {
                 _IntersectBezier(bezier, whole, splits, firstRay);
             }
@@ -131,7 +134,7 @@ class PatchIntersector {
         if (plan && splits <= kMaxGridSplits) {
             LimitGrid grid;
             _EvaluatePlanned(*plan, splits, &grid);
-            _IntersectWhole(grid, whole, RaysThatHit(Tag(), _rays.rays, _From(firstRay), box));
+            _IntersectWhole(grid, whole, hitting);
         } else if (p.kind == PatchKind::Extraordinary) {
             ExtraordinaryPatch::Points points;
             _GatherExtraordinary(patches, &points);
@@ -347,19 +350,10 @@ class PatchIntersector {
     template <class IntersectBlock>
     HWY_INLINE void _SortByRays(const WideBoxes& boxes, uint64_t hitting,
                                 const IntersectBlock& intersect) {
-        uint64_t raysOfBlock[kBvhWidth] = {};
-        uint32_t blocks = 0;
-        for (; hitting != 0; hitting &= hitting - 1) {
-            const int ray = __builtin_ctzll(hitting);
-            const uint32_t mask = BoxesThatRayHits(boxes, _rays.rays, ray).mask;
-            blocks |= mask;
-            for (uint32_t rest = mask; rest != 0; rest &= rest - 1) {
-                raysOfBlock[__builtin_ctz(rest)] |= uint64_t(1) << ray;
-            }
-        }
-        for (; blocks != 0; blocks &= blocks - 1) {
+        const RaysOfBoxes hits(boxes, _rays.rays, hitting);
+        for (uint32_t blocks = hits.boxes; blocks != 0; blocks &= blocks - 1) {
             const int block = __builtin_ctz(blocks);
-            intersect(block, raysOfBlock[block]);
+            intersect(block, hits.rays[block]);
         }
     }
 

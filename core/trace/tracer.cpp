@@ -21,11 +21,13 @@ void TracePatches(const InstanceBvh& instances, int level, const RayPacket& worl
                          [&](const Surface& surface, uint32_t instance, Rays* rays) {
                              PatchIntersector<Rays, kAnyHit> intersector(surface, instance, level,
                                                                          rays, hits, statistics);
-                             TraverseBvh(surface.PatchBvh(), rays, statistics,
-                                         [&](uint32_t patch, int firstRay, const Box3f& box) {
-                                             intersector.Intersect(patch, firstRay, box);
-                                             return !intersector.IsDone();
-                                         });
+                             TraverseBvh(
+                                 surface.PatchBvh(), rays, statistics,
+                                 [&](uint32_t patch, uint64_t hitting, const Box3f& box) {
+                                     intersector.Intersect(patch, hitting, box);
+                                     return !intersector.IsDone();
+                                 },
+                                 [&](uint32_t patch) { surface.Patches().Prefetch(patch); });
                              return !intersector.IsDone();
                          });
 }

@@ -6,6 +6,8 @@
 #define CC_TRACE_TRAVERSAL_INL_H
 #endif
 
+#include <cmath>
+
 #include <hwy/highway.h>
 
 #include "core/bvh/bvh.h"
@@ -19,7 +21,7 @@ namespace cc {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Rays that travel together: a packet, culled by intervals and by its first hit.
+/// Rays that travel together: a packet, culled by intervals.
 struct PacketRays {
     using Tag = hn::CappedTag<float, 16>;
 
@@ -50,67 +52,164 @@ struct SingleRay {
     ObjectRays& rays;
 };
 
-/// Walks a BVH depth first, nearest child first, and calls leaf(primitive, firstRay, box) for every
-/// primitive whose box a ray hits; firstRay is the first that does. The walk ends when leaf
-/// returns false.
-template <class Rays, class Leaf>
-HWY_INLINE void TraverseBvh(const Bvh& bvh, Rays* rays, TraceStatistics* statistics,
-                            const Leaf& leaf) {
-    // Not a Box3f, which a stack of them would make empty first.
+/// Below this many rays each is tested against all boxes of a node at once, else each box against
+/// all rays at once.
+constexpr int kFewRays = 16;
+
+/// Entries of a traversal: boxes that rays may hit, the nearest on top among those of a node.
+class TraversalStack {
+  public:
+    /// Not a Box3f, which a stack of them would make empty first.
     struct Entry {
         float lower[3], upper[3];
+        float distance;  ///< of the nearest ray if isCertain is set, else of the whole packet
         uint32_t child;
-        int firstRay;
-        float distance;
-    };
-    // Every level leaves at most all children but one behind.
-    Entry stack[kBvhMaxDepth * (kBvhWidth - 1) + 1];
-    int size = 0;
-    const typename Rays::Tag d;
+        uint64_t rays;   ///< those that may hit the box
+        bool isCertain;  ///< each of the rays has been tested against the box
 
-    const auto pushChildren = [&](const BvhNode& node, int firstRay) {
-        ++statistics->traversals;
-        WideBoxes boxes;
-        DecodeBoxes(node, &boxes);
-        const WideHits hits = rays->HitBoxes(boxes);
-        const int bottom = size;
-        for (uint32_t mask = hits.mask; mask != 0; mask &= mask - 1) {
-            const int slot = __builtin_ctz(mask);
-            // Sorted by distance, the nearest on top.
-            int at = size++;
-            for (; at > bottom && stack[at - 1].distance < hits.distance[slot]; --at) {
-                stack[at] = stack[at - 1];
-            }
-            stack[at] = {{boxes.lower[0][slot], boxes.lower[1][slot], boxes.lower[2][slot]},
-                         {boxes.upper[0][slot], boxes.upper[1][slot], boxes.upper[2][slot]},
-                         node.child[slot],
-                         firstRay,
-                         hits.distance[slot]};
+        Box3f Box() const {
+            Box3f box;
+            box.lower = {lower[0], lower[1], lower[2]};
+            box.upper = {upper[0], upper[1], upper[2]};
+            return box;
         }
     };
 
+    bool IsEmpty() const { return _size == 0; }
+    Entry Pop() { return _entries[--_size]; }
+
+    /// Children that are pushed from here on are sorted by their distance.
+    void BeginNode() { _bottom = _size; }
+
+    HWY_INLINE void Push(const WideBoxes& boxes, int slot, const Entry& entry) {
+        int at = _size++;
+        for (; at > _bottom && _entries[at - 1].distance < entry.distance; --at) {
+            _entries[at] = _entries[at - 1];
+        }
+        _entries[at] = entry;
+        for (int axis = 0; axis < 3; ++axis) {
+            _entries[at].lower[axis] = boxes.lower[axis][slot];
+            _entries[at].upper[axis] = boxes.upper[axis][slot];
+        }
+    }
+
+  private:
+    // Every level leaves at most all children but one behind.
+    Entry _entries[kBvhMaxDepth * (kBvhWidth - 1) + 1];
+    int _size = 0, _bottom = 0;
+};
+
+/// Which rays hit which of many boxes, ray by ray, and the least distance of each box.
+struct RaysOfBoxes {
+    uint64_t rays[kBvhWidth] = {};
+    alignas(64) float distance[kBvhWidth];
+    uint32_t boxes = 0;
+
+    HWY_INLINE RaysOfBoxes(const WideBoxes& wide, const ObjectRays& all, uint64_t among) {
+        const WideTag d;
+        for (size_t lane = 0; lane < kBvhWidth; lane += hn::Lanes(d)) {
+            hn::Store(hn::Set(d, HUGE_VALF), d, distance + lane);
+        }
+        for (; among != 0; among &= among - 1) {
+            const int ray = __builtin_ctzll(among);
+            const WideHits hits = BoxesThatRayHits(wide, all, ray);
+            for (uint32_t rest = hits.mask; rest != 0; rest &= rest - 1) {
+                rays[__builtin_ctz(rest)] |= uint64_t(1) << ray;
+            }
+            boxes |= hits.mask;
+            for (size_t lane = 0; lane < kBvhWidth; lane += hn::Lanes(d)) {
+                hn::Store(hn::Min(hn::Load(d, distance + lane), hn::Load(d, hits.distance + lane)),
+                          d, distance + lane);
+            }
+        }
+    }
+};
+
+/// Pushes the children of a node that rays may hit, and calls prefetch with those that are
+/// primitives.
+template <class Rays, class Prefetch>
+HWY_INLINE void PushChildren(const BvhNode& node, const Rays& rays, uint64_t among,
+                             TraversalStack* stack, const Prefetch& prefetch) {
+    const auto announce = [&](uint32_t child) {
+        if ((child & kBvhLeaf) != 0) {
+            prefetch(child & ~kBvhLeaf);
+        }
+    };
+    WideBoxes boxes;
+    DecodeBoxes(node, &boxes);
+    stack->BeginNode();
+    if (hwy::PopCount(among) <= kFewRays) {
+        const RaysOfBoxes hits(boxes, rays.rays, among);
+        for (uint32_t rest = hits.boxes; rest != 0; rest &= rest - 1) {
+            const int slot = __builtin_ctz(rest);
+            announce(node.child[slot]);
+            stack->Push(boxes, slot,
+                        {{}, {}, hits.distance[slot], node.child[slot], hits.rays[slot], true});
+        }
+        return;
+    }
+    const WideHits hits = rays.HitBoxes(boxes);
+    for (uint32_t rest = hits.mask; rest != 0; rest &= rest - 1) {
+        const int slot = __builtin_ctz(rest);
+        announce(node.child[slot]);
+        stack->Push(boxes, slot, {{}, {}, hits.distance[slot], node.child[slot], among, false});
+    }
+}
+
+/// A bit for each ray of a packet.
+inline uint64_t AllRays(const ObjectRays& rays) {
+    return rays.count == 0 ? 0 : ~uint64_t(0) >> (kPacketSize - rays.count);
+}
+
+/// The rays that no hit nearer than a distance has ended yet.
+inline uint64_t RaysThatReach(const ObjectRays& rays, uint64_t among, float distance) {
+    uint64_t reaching = among;
+    for (; among != 0; among &= among - 1) {
+        const int ray = __builtin_ctzll(among);
+        reaching &= ~(uint64_t(!(rays.tMax[ray] >= distance)) << ray);
+    }
+    return reaching;
+}
+
+/// Walks a BVH depth first, nearest child first, and calls leaf(primitive, hitting, box) for every
+/// primitive whose box a ray hits; hitting has a bit for each ray that does. The walk ends when
+/// leaf returns false.
+/// @param prefetch  called with primitives that leaf is likely to be called with
+template <class Rays, class Leaf, class Prefetch>
+HWY_INLINE void TraverseBvh(const Bvh& bvh, Rays* rays, TraceStatistics* statistics,
+                            const Leaf& leaf, const Prefetch& prefetch) {
     if (bvh.IsEmpty()) {
         return;
     }
-    pushChildren(bvh.Nodes()[0], 0);
-    while (size > 0) {
-        const Entry entry = stack[--size];
-        if (rays->IsBeyond(entry.distance)) {
-            continue;
+    const typename Rays::Tag d;
+    TraversalStack stack;
+    ++statistics->traversals;
+    PushChildren(bvh.Nodes()[0], *rays, AllRays(rays->rays), &stack, prefetch);
+    while (!stack.IsEmpty()) {
+        const TraversalStack::Entry entry = stack.Pop();
+        const Box3f box = entry.Box();
+        uint64_t hitting = 0;
+        if (entry.isCertain) {
+            hitting = RaysThatReach(rays->rays, entry.rays, entry.distance);
+        } else if (!rays->IsBeyond(entry.distance)) {
+            hitting = RaysThatHit(d, rays->rays, entry.rays, box);
         }
-        Box3f box;
-        box.lower = {entry.lower[0], entry.lower[1], entry.lower[2]};
-        box.upper = {entry.upper[0], entry.upper[1], entry.upper[2]};
-        const int firstRay = FirstRayThatHits(d, rays->rays, entry.firstRay, box);
-        if (firstRay >= rays->rays.count) {
+        if (hitting == 0) {
             continue;
         }
         if ((entry.child & kBvhLeaf) == 0) {
-            pushChildren(bvh.Nodes()[entry.child], firstRay);
-        } else if (!leaf(entry.child & ~kBvhLeaf, firstRay, box)) {
+            ++statistics->traversals;
+            PushChildren(bvh.Nodes()[entry.child], *rays, hitting, &stack, prefetch);
+        } else if (!leaf(entry.child & ~kBvhLeaf, hitting, box)) {
             return;
         }
     }
+}
+
+template <class Rays, class Leaf>
+HWY_INLINE void TraverseBvh(const Bvh& bvh, Rays* rays, TraceStatistics* statistics,
+                            const Leaf& leaf) {
+    TraverseBvh(bvh, rays, statistics, leaf, [](uint32_t) {});
 }
 
 }  // namespace HWY_NAMESPACE
