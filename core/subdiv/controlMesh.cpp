@@ -57,6 +57,31 @@ void WarnOfSmallFaces(const ControlMesh& mesh, ControlMeshReport* report) {
     }
 }
 
+/// Why a smooth surface would take too long to build; empty if it does not.
+std::string CheckValences(const ControlMesh& mesh, size_t pointCount) {
+    if (mesh.scheme != Scheme::CatmullClark && mesh.scheme != Scheme::Loop) {
+        return {};
+    }
+    const int limit = mesh.scheme == Scheme::Loop ? kMaxLoopValence : kMaxValence;
+    const std::string limitText = "; the limit is " + std::to_string(limit);
+    const std::vector<int>& sizes = mesh.faceVertexCounts;
+    const auto largest = std::max_element(sizes.begin(), sizes.end());
+    if (largest != sizes.end() && *largest > limit) {
+        return "face " + std::to_string(largest - sizes.begin()) + " has " +
+               std::to_string(*largest) + " vertices" + limitText;
+    }
+    std::vector<int> faceCounts(pointCount, 0);
+    for (int vertex : mesh.faceVertexIndices) {
+        ++faceCounts[vertex];
+    }
+    const auto most = std::max_element(faceCounts.begin(), faceCounts.end());
+    if (most != faceCounts.end() && *most > limit) {
+        return "vertex " + std::to_string(most - faceCounts.begin()) + " has " +
+               std::to_string(*most) + " faces" + limitText;
+    }
+    return {};
+}
+
 void WarnOfDegenerateFaces(const ControlMesh& mesh, ControlMeshReport* report) {
     if (mesh.scheme == Scheme::None) {
         WarnOfSmallFaces(mesh, report);
@@ -239,6 +264,9 @@ std::vector<int> KeptCorners(const int* vertices, int count) {
 ControlMeshReport ValidateControlMesh(ControlMesh* mesh, size_t pointCount) {
     ControlMeshReport report;
     report.error = CheckFaces(*mesh, pointCount);
+    if (report.IsValid()) {
+        report.error = CheckValences(*mesh, pointCount);
+    }
     if (report.IsValid()) {
         WarnOfDegenerateFaces(*mesh, &report);
         MendHoles(mesh, &report);

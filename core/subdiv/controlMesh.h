@@ -46,6 +46,12 @@ struct ControlMesh {
     int FaceCount() const { return static_cast<int>(faceVertexCounts.size()); }
 };
 
+/// Corners of a face, and faces of a vertex, up to which a smooth mesh is accepted: beyond that,
+/// the time to connect them is out of proportion. Polygons and bilinear faces have no limit.
+constexpr int kMaxValence = 16384;
+/// The same under the Loop scheme, where each face of a vertex reads all others.
+constexpr int kMaxLoopValence = 4096;
+
 /// What Validate found: an error makes the mesh unusable, a warning names what was mended.
 struct ControlMeshReport {
     std::string error;
@@ -59,8 +65,8 @@ struct ControlMeshReport {
 /// [0, 10] and repeated holes are merged. Faces that KeptCorners gives nothing for are left out,
 /// under scheme none only those of fewer than three vertices.
 /// Creases are rewritten as runs of two vertices with one sharpness each.
-/// Counts that do not add up and indices out of range cannot be mended, nor can faces of more than
-/// three vertices under the Loop scheme.
+/// Valences above kMaxValence cannot be used. Counts that do not add up and indices out of range
+/// cannot be mended, nor can faces of more than three vertices under the Loop scheme.
 ControlMeshReport ValidateControlMesh(ControlMesh* mesh, size_t pointCount);
 
 /// The corners of a face that are left when neighbouring corners that share a vertex are merged:

@@ -20,7 +20,7 @@ bool IsSharp(const TopologyLevel& level, Index edge) {
 }
 
 VertexRule RuleOf(const TopologyLevel& level, Index vertex) {
-    if (level.IsVertexNonManifold(vertex) ||
+    if (level.GetVertexFaces(vertex).size() > kMaxRingFaces || level.IsVertexNonManifold(vertex) ||
         Crease::IsSemiSharp(level.GetVertexSharpness(vertex))) {
         return VertexRule::Irregular;
     }
@@ -166,9 +166,7 @@ class OneRingGatherer {
     }
 
     bool _SetExtraordinary(int corner, int valence) {
-        // Larger rings cost more to trace than the quads of an isolated vertex.
-        constexpr int kMaxValence = 256;
-        if (_ring->extraordinaryCorner >= 0 || valence < 3 || valence > kMaxValence) {
+        if (_ring->extraordinaryCorner >= 0 || valence < 3) {
             return false;
         }
         _ring->extraordinaryCorner = corner;

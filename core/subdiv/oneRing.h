@@ -42,6 +42,10 @@ struct OneRing {
 /// Gathers the 1-ring of a face. Works on any topology that OpenSubdiv accepts.
 void GatherOneRing(const OpenSubdiv::Far::TopologyLevel& level, int face, OneRing* ring);
 
+/// Faces of a vertex up to which quads are patches with its ring. Each of those reads the whole
+/// ring, for every ray that comes near, so that n of them cost n^2.
+constexpr int kMaxRingFaces = 256;
+
 /// A ring (RingTags) as vertices of the level. All its faces have as many sides, three or four.
 struct CornerRing {
     /// The vertex, then its edge neighbours; between those, among quads, the face diagonals; at the

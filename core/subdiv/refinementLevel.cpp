@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <mutex>
+#include <numeric>
 
 #include <opensubdiv/far/error.h>
 #include <opensubdiv/far/primvarRefiner.h>
@@ -94,9 +95,13 @@ void AddCreases(const ControlMesh& mesh, Description* description) {
 
 /// The faces around the vertices of the faces listed, in ascending order.
 std::vector<int> FacesAndNeighbors(const Far::TopologyLevel& level, const std::vector<int>& faces) {
-    std::vector<char> isIn(level.GetNumFaces(), 0);
+    std::vector<char> isIn(level.GetNumFaces(), 0), isVertexSeen(level.GetNumVertices(), 0);
     for (int face : faces) {
         for (Far::Index vertex : level.GetFaceVertices(face)) {
+            if (isVertexSeen[vertex]) {
+                continue;
+            }
+            isVertexSeen[vertex] = 1;
             for (Far::Index neighbor : level.GetVertexFaces(vertex)) {
                 isIn[neighbor] = 1;
             }
@@ -185,15 +190,27 @@ void RefinementLevel::MaskRow::Clear() {
 }
 
 void RefinementLevel::MaskRow::AddWithWeight(const MaskRow& row, float weight) {
-    for (size_t i = 0; i < row.vertices.size(); ++i) {
-        const auto found = std::find(vertices.begin(), vertices.end(), row.vertices[i]);
-        if (found != vertices.end()) {
-            weights[found - vertices.begin()] += weight * row.weights[i];
+    vertices.insert(vertices.end(), row.vertices.begin(), row.vertices.end());
+    for (float w : row.weights) {
+        weights.push_back(weight * w);
+    }
+}
+
+void RefinementLevel::MaskRow::Merge() {
+    std::vector<size_t> order(vertices.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(),
+                     [this](size_t a, size_t b) { return vertices[a] < vertices[b]; });
+    MaskRow merged;
+    for (size_t i : order) {
+        if (merged.vertices.empty() || merged.vertices.back() != vertices[i]) {
+            merged.vertices.push_back(vertices[i]);
+            merged.weights.push_back(weights[i]);
         } else {
-            vertices.push_back(row.vertices[i]);
-            weights.push_back(weight * row.weights[i]);
+            merged.weights.back() += weights[i];
         }
     }
+    *this = std::move(merged);
 }
 
 RefinementLevel::RefinementLevel(const ControlMesh& mesh, size_t pointCount, std::string* error) {
@@ -308,6 +325,9 @@ RefinementLevel::RefinementLevel(RefinementLevel* parent, const std::vector<int>
     }
     _rows.resize(fine.GetNumVertices());
     Far::PrimvarRefiner(*part.refiner).Interpolate(1, identity, _rows);
+    for (MaskRow& row : _rows) {
+        row.Merge();
+    }
     _patchPoints.assign(fine.GetNumVertices(), kNoPoint);
 }
 
@@ -335,6 +355,9 @@ uint32_t RefinementLevel::LimitPoint(int vertex, PatchTable* table) {
         }
         _limitRows.resize(identity.size());
         Far::PrimvarRefiner(*_refiner).Limit(identity, _limitRows);
+        for (MaskRow& row : _limitRows) {
+            row.Merge();
+        }
         _limitPoints.assign(identity.size(), kNoPoint);
     }
     if (_limitPoints[vertex] == kNoPoint) {

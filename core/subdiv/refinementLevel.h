@@ -56,6 +56,8 @@ class RefinementLevel {
         std::vector<float> weights;
         void Clear();
         void AddWithWeight(const MaskRow& row, float weight);
+        /// Adds up the weights of vertices that were added more than once, in ascending order.
+        void Merge();
     };
 
     Stencil _ToStencil(const MaskRow& row, RefinementLevel* level, PatchTable* table);

@@ -8,6 +8,9 @@ bool RingTable::Find(int vertex, int face, RingPlace* place) {
         *place = found->second;
         return true;
     }
+    if (_level->Topology().GetVertexFaces(vertex).size() > kMaxRingFaces) {
+        return false;
+    }
     CornerRing ring;
     if (!GatherCornerRing(_level->Topology(), vertex, _level->VertexSharpness(vertex), face,
                           &ring)) {

@@ -22,7 +22,7 @@ class RingTable {
     RingTable(RefinementLevel* level, PatchTable* table) : _level(level), _table(table) {}
 
     /// Finds the ring of a vertex on the side of a face, and adds it if it is new. Returns false if
-    /// there is none (GatherCornerRing).
+    /// there is none (GatherCornerRing), or if the vertex has more than kMaxRingFaces.
     bool Find(int vertex, int face, RingPlace* place);
 
     /// Adds a ring that was gathered; returns where a face of it is.

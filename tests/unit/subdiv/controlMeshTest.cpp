@@ -60,6 +60,30 @@ TEST(ControlMesh, LeavesOutLoopFacesOfFewerVertices) {
     EXPECT_EQ(error, "");
 }
 
+TEST(ControlMesh, RefusesValencesThatTakeTooLong) {
+    for (const int valence : {kMaxValence, kMaxValence + 1}) {
+        const bool isValid = valence == kMaxValence;
+        Cage polygon;
+        polygon.points.resize(valence);
+        polygon.mesh.faceVertexCounts = {valence};
+        for (int i = 0; i < valence; ++i) {
+            polygon.mesh.faceVertexIndices.push_back(i);
+        }
+        Cage fan = Fan(valence);
+        EXPECT_EQ(ValidateControlMesh(&polygon.mesh, polygon.points.size()).IsValid(), isValid);
+        EXPECT_EQ(ValidateControlMesh(&fan.mesh, fan.points.size()).IsValid(), isValid);
+        polygon.mesh.scheme = fan.mesh.scheme = Scheme::None;
+        EXPECT_TRUE(ValidateControlMesh(&polygon.mesh, polygon.points.size()).IsValid());
+        EXPECT_TRUE(ValidateControlMesh(&fan.mesh, fan.points.size()).IsValid());
+    }
+    Cage fan = Fan(kMaxValence + 1);
+    EXPECT_EQ(ValidateControlMesh(&fan.mesh, fan.points.size()).error,
+              "vertex 0 has 16385 faces; the limit is 16384");
+    Cage triangles = TriangleFan(kMaxLoopValence + 1);
+    EXPECT_EQ(ValidateControlMesh(&triangles.mesh, triangles.points.size()).error,
+              "vertex 0 has 4097 faces; the limit is 4096");
+}
+
 TEST(ControlMesh, MendsHoles) {
     Cage cage = Cube();
     cage.mesh.holeIndices = {3, 1, 3, -1, 6};

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "core/subdiv/oneRing.h"
 #include "core/subdiv/patchBuilder.h"
+#include "tests/unit/subdiv/limitOracle.h"
 #include "tests/unit/subdiv/surfaceComparison.h"
 #include "tests/unit/subdiv/testCages.h"
 
@@ -33,6 +35,33 @@ TEST(LimitPoint, AgreesWithFarWhereBfrContradictsIt) {
         EXPECT_FALSE(CompareWithOracle(cage, OracleKind::Bfr).IsWithinTolerance());
         ExpectWithinTolerance(CompareWithOracle(cage, OracleKind::Far));
     }
+}
+
+/// Around a vertex of too many faces, the innermost sixteenth of each is flat between limit points.
+TEST(LimitPoint, IsExactBesideVerticesOfTooManyFaces) {
+    constexpr int kValence = kMaxRingFaces + 1;
+    const Cage cage = Fan(kValence);
+    std::string error;
+    const PatchTable patches = BuildPatchTable(cage.mesh, cage.points.size(), &error);
+    const std::vector<Vec3f> points = patches.PatchPoints(cage.points);
+    const auto oracle = MakeFarOracle(cage.mesh, cage.points, cage.points);
+    int flatCount = 0;
+    for (uint32_t patch = 0; patch < patches.Count(); ++patch) {
+        const bool isFlat = patches.At(patch).kind == PatchKind::Bilinear;
+        flatCount += isFlat;
+        for (const float u : {0.0f, 0.3f, 1.0f}) {
+            for (const float v : {0.0f, 0.7f, 1.0f}) {
+                if (isFlat && (u == 0.3f || v == 0.7f)) {
+                    continue;
+                }
+                const LimitOracle::Sample expected = oracle->Evaluate(patches.ToFace(patch, u, v));
+                const LimitPoint point = EvaluateLimit(patches, patch, points.data(), u, v);
+                EXPECT_LT(Length(point.position - expected.position), 4e-5f)
+                    << "patch " << patch << " (" << u << ", " << v << ")";
+            }
+        }
+    }
+    EXPECT_EQ(flatCount, kValence);
 }
 
 INSTANTIATE_TEST_SUITE_P(Catalogue, LimitPointTest, testing::ValuesIn(Catalogue()), TestName);
