@@ -69,10 +69,6 @@ class FaceVaryingMeshBuilder {
         _isSplit.resize(level.GetNumEdges());
         for (Index edge = 0; edge < level.GetNumEdges(); ++edge) {
             _isSplit[edge] = _IsSplit(level, edge);
-            if (level.GetEdgeFaces(edge).size() > 2) {
-                _result.warning =
-                    "faceVarying values are approximate where more than two faces share an edge";
-            }
             _AddCreases(level, edge);
         }
         for (Index vertex = 0; vertex < level.GetNumVertices(); ++vertex) {

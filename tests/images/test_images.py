@@ -20,7 +20,10 @@ SCENES = [scene for scene in ALL_SCENES if scene.stem not in UNSEEN]
 AOVS = ("primId", "instanceId", "elementId", "cameraDepth")
 OPTIONS = ("--imageWidth", "160", "--set", "hdcc:samples=8", "--set", "hdcc:level=4")
 #: Options of scenes that need others; the last one given holds.
-MORE_OPTIONS: dict[str, tuple[str, ...]] = {"hero": ("--imageWidth", "180")}
+MORE_OPTIONS: dict[str, tuple[str, ...]] = {
+    "hero": ("--imageWidth", "180"),
+    "primvars": ("--aov", "primvars:st"),
+}
 #: Scenes in which surfaces coincide: which of them a ray meets first is up to rounding.
 COINCIDENT = ("degenerate_faces",)
 MOST_BYTES = 200_000

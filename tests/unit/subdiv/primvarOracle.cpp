@@ -131,6 +131,11 @@ bool PrimvarOracle::_SelectFace(uint32_t face) {
     return _selected == index;
 }
 
+std::unique_ptr<Far::TopologyRefiner> PrimvarOracle::TakeRefiner() {
+    _factory.reset();
+    return std::move(_refiner);
+}
+
 bool PrimvarOracle::Evaluate(const FaceParameter& at, SurfaceValue* value) {
     if (!_SelectFace(at.face)) {
         return false;

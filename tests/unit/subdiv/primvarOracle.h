@@ -24,6 +24,10 @@ class PrimvarOracle {
     /// Returns false where OpenSubdiv has no surface.
     bool Evaluate(const FaceParameter& at, SurfaceValue* value);
 
+    /// The refiner that it was made with, whose channel 0 has the face-varying values; ends the
+    /// life of Evaluate.
+    std::unique_ptr<OpenSubdiv::Far::TopologyRefiner> TakeRefiner();
+
   private:
     using Factory = OpenSubdiv::Bfr::RefinerSurfaceFactory<>;
 
