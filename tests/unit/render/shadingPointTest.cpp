@@ -83,6 +83,30 @@ double BlockedShare(const Scene& scene, const Vec3f& center, float size, int lev
     return blocked / double(lit);
 }
 
+TEST(ShadingPoint, TangentsAreInTheWorldAndByTheFace) {
+    for (const bool isTriangulated : {false, true}) {
+        Scene scene;
+        Cage square = Square();
+        square.mesh.scheme = isTriangulated ? Scheme::None : Scheme::Bilinear;
+        AddCage(&scene, "/square", square)->SetTransform(Placed(2, 1, 0, 0));
+        scene.Build({"geometry"});
+        std::mt19937 random(1);
+        Traced traced = RaysDown({1, 0, 0}, 3, &random);
+        traced.Trace(scene, 2);
+        for (int i = 0; i < kPacketSize; ++i) {
+            ASSERT_TRUE(traced.IsHit(i));
+            const ShadingPoint point = MakeShadingPoint(scene.Instances().Instances()[0], {},
+                                                        traced.rays, traced.hits, i, 2);
+            // The second triangle's u runs along the diagonal.
+            const bool isSecond = isTriangulated && traced.hits.patch[i] == 1;
+            EXPECT_LT(Length(point.du - Vec3f{4, isSecond ? 4.0f : 0.0f, 0}), 1e-4f);
+            const bool isFirst = isTriangulated && !isSecond;
+            EXPECT_LT(Length(point.dv - Vec3f{isFirst ? 4.0f : 0.0f, 4, 0}), 1e-4f);
+            EXPECT_EQ(point.shadingNormal, point.normal);
+        }
+    }
+}
+
 TEST(ShadingPoint, ConvexSurfacesDoNotShadowThemselves) {
     for (const double offset : {0.0, 1000.0}) {
         Scene scene;

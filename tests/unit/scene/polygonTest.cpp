@@ -229,6 +229,8 @@ float Brightness(const Vec3f& normal, const Vec3f& towardsLight) {
     Light* const light = scene.AddLight();
     light->direction = -towardsLight;
     light->power = {3.14159265f, 0, 0};
+    // Else the square itself would be in the way of what comes from behind.
+    light->castsShadows = false;
     scene.Build({"geometry"});
     Film film(1, 1, {Aov::Color});
     RenderStatistics statistics;

@@ -198,6 +198,27 @@ TEST(PrimvarField, VertexPositionsAreTheSurface) {
     }
 }
 
+/// A patch whose extraordinary vertex is not at the face's first corner is turned.
+TEST(PrimvarField, DerivativesAreThoseByTheFaceHoweverThePatchIsTurned) {
+    int turned[4] = {};
+    for (int first = 0; first < 4; ++first) {
+        Cage cage = Fan(5);
+        for (size_t face = 0; face < cage.mesh.faceVertexCounts.size(); ++face) {
+            const auto begin = cage.mesh.faceVertexIndices.begin() + 4 * static_cast<long>(face);
+            std::rotate(begin, begin + first, begin + 4);
+        }
+        const Primvar primvar = RandomPrimvar(cage, Interpolation::Vertex, 2, false);
+        ExpectAgreement(cage, primvar, "first corner " + std::to_string(first));
+        const Built built(cage, primvar);
+        for (uint32_t patch = 0; patch < built.Patches().Count(); ++patch) {
+            ++turned[built.Patches().At(patch).rotation];
+        }
+    }
+    for (int count : turned) {
+        EXPECT_GT(count, 0);
+    }
+}
+
 TEST(PrimvarField, LeftHandedMeshesKeepTheirCorners) {
     Cage cage = Drum(5);
     const Primvar primvar = RandomPrimvar(cage, Interpolation::FaceVarying, 2, false);
