@@ -16,6 +16,19 @@ namespace cc {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
+/// Four floats at a time, a stride apart, side by side in one vector. Vectors that are read soon
+/// are put together in registers: a load that spans several stores waits for all of them.
+template <class D>
+HWY_INLINE hn::Vec<D> LoadFours(D d, const float* from, size_t stride) {
+    if constexpr (hn::MaxLanes(D()) <= 4) {
+        return hn::LoadU(d, from);
+    } else {
+        const hn::Half<D> half;
+        const float* upper = from + hn::MaxLanes(half) / 4 * stride;
+        return hn::Combine(d, LoadFours(half, upper, stride), LoadFours(half, from, stride));
+    }
+}
+
 /// A bicubic Bezier patch laid out for SIMD: four rows of four columns, with the x, y and z of a
 /// row side by side in blocks of four lanes (the fourth block is padding). One vector operation
 /// then acts on all coordinates of a row, at any vector width up to sixteen lanes.
@@ -63,7 +76,7 @@ inline constexpr BezierConversion kBezierConversion;
 HWY_INLINE void GatherRegular(const Vec3f* points, const uint32_t* indices, BezierRows* patch) {
     const hn::CappedTag<double, 8> d;
     const hn::Rebind<float, decltype(d)> df;
-    alignas(64) float bezier[3][16];
+    alignas(64) float bezier[4][16] = {};
     for (size_t lane = 0; lane < 16; lane += hn::Lanes(d)) {
         auto x = hn::Zero(d), y = x, z = x;
         for (int i = 0; i < 16; ++i) {
@@ -78,12 +91,12 @@ HWY_INLINE void GatherRegular(const Vec3f* points, const uint32_t* indices, Bezi
         hn::Store(hn::DemoteTo(df, hn::Mul(y, scale)), df, bezier[1] + lane);
         hn::Store(hn::DemoteTo(df, hn::Mul(z, scale)), df, bezier[2] + lane);
     }
-    const hn::FixedTag<float, 4> d4;
+    const hn::CappedTag<float, 16> rows;
     for (int row = 0; row < 4; ++row) {
-        for (int axis = 0; axis < 3; ++axis) {
-            hn::Store(hn::Load(d4, bezier[axis] + 4 * row), d4, patch->rows[row] + 4 * axis);
+        for (size_t lane = 0; lane < 16; lane += hn::Lanes(rows)) {
+            hn::Store(LoadFours(rows, bezier[lane / 4] + 4 * row, 16), rows,
+                      patch->rows[row] + lane);
         }
-        hn::Store(hn::Zero(d4), d4, patch->rows[row] + 12);
     }
 }
 

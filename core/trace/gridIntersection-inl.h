@@ -42,10 +42,7 @@ class QuadBlock {
         _column = kBlockSide * (block % blocks);
         const int axes[3] = {(axis + 1) % 3, (axis + 2) % 3, axis};
         for (int k = 0; k < 3; ++k) {
-            _Gather(grid, axes[k], _corners[0][k], _corners[1][k], _corners[2][k], _corners[3][k]);
-            if (origin) {
-                _Subtract((*origin)[axes[k]], k);
-            }
+            _Gather(grid, axes[k], origin ? (*origin)[axes[k]] : 0, k);
         }
         std::fill(_slack, _slack + kQuads, 0.0f);
         for (int quad = 0; quad < kQuads && tolerance > 0; ++quad) {
@@ -79,46 +76,36 @@ class QuadBlock {
     enum Edge { k01, k12, k20, k23, k30, kEdgeCount };
 
     /// Corners of all quads along one axis. Lanes beyond a small grid get quads without area.
-    void _Gather(const LimitGrid& grid, int axis, float* c0, float* c1, float* c2,
-                 float* c3) const {
-        const auto& points = grid.points[axis];
+    void _Gather(const LimitGrid& grid, int axis, float origin, int k) {
         if (grid.side < kBlockSide) {
-            _GatherSmall(grid, axis, c0, c1, c2, c3);
+            _GatherSmall(grid, axis, origin, k);
             return;
         }
-        const hn::FixedTag<float, 4> d;
-        for (int r = 0; r < kBlockSide; ++r) {
-            const float* lower = points[_row + r] + _column;
-            const float* upper = points[_row + r + 1] + _column;
-            hn::Store(hn::LoadU(d, lower), d, c0 + 4 * r);
-            hn::Store(hn::LoadU(d, lower + 1), d, c1 + 4 * r);
-            hn::Store(hn::LoadU(d, upper + 1), d, c2 + 4 * r);
-            hn::Store(hn::LoadU(d, upper), d, c3 + 4 * r);
+        constexpr size_t kStride = LimitGrid::kStride;
+        const Tag d;
+        const V from = hn::Set(d, origin);
+        for (size_t lane = 0; lane < kQuads; lane += hn::Lanes(d)) {
+            const float* lower = grid.points[axis][_row + lane / kBlockSide] + _column;
+            const float* upper = lower + kStride;
+            const float* const first[4] = {lower, lower + 1, upper + 1, upper};
+            for (int c = 0; c < 4; ++c) {
+                hn::Store(hn::Sub(LoadFours(d, first[c], kStride), from), d,
+                          _corners[c][k] + lane);
+            }
         }
     }
 
-    static void _GatherSmall(const LimitGrid& grid, int axis, float* c0, float* c1, float* c2,
-                             float* c3) {
+    void _GatherSmall(const LimitGrid& grid, int axis, float origin, int k) {
         const auto& points = grid.points[axis];
         for (int quad = 0; quad < kQuads; ++quad) {
             const int r0 = std::min(quad / kBlockSide, grid.side);
             const int r1 = std::min(r0 + 1, grid.side);
-            const int q0 = std::min(quad % kBlockSide, grid.side);
-            const int q1 = std::min(q0 + 1, grid.side);
-            c0[quad] = points[r0][q0];
-            c1[quad] = points[r0][q1];
-            c2[quad] = points[r1][q1];
-            c3[quad] = points[r1][q0];
-        }
-    }
-
-    void _Subtract(float origin, int k) {
-        const Tag d;
-        for (auto& corner : _corners) {
-            for (size_t lane = 0; lane < kQuads; lane += hn::Lanes(d)) {
-                hn::Store(hn::Sub(hn::Load(d, corner[k] + lane), hn::Set(d, origin)), d,
-                          corner[k] + lane);
-            }
+            const int c0 = std::min(quad % kBlockSide, grid.side);
+            const int c1 = std::min(c0 + 1, grid.side);
+            _corners[0][k][quad] = points[r0][c0] - origin;
+            _corners[1][k][quad] = points[r0][c1] - origin;
+            _corners[2][k][quad] = points[r1][c1] - origin;
+            _corners[3][k][quad] = points[r1][c0] - origin;
         }
     }
 

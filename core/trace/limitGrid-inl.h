@@ -265,12 +265,11 @@ inline void BezierGrid::MeasureBlocks(WideBoxes* boxes) const {
             hn::Store(hn::Add(high, margin), d, upper[i] + lane);
         }
     }
-    const hn::FixedTag<float, 4> d4;
     boxes->count = kBlockSide * kBlockSide;
     for (int axis = 0; axis < 3; ++axis) {
-        for (int i = 0; i < kBlockSide; ++i) {
-            hn::Store(hn::Load(d4, lower[i] + 4 * axis), d4, boxes->lower[axis] + 4 * i);
-            hn::Store(hn::Load(d4, upper[i] + 4 * axis), d4, boxes->upper[axis] + 4 * i);
+        for (size_t lane = 0; lane < 16; lane += hn::Lanes(d)) {
+            hn::Store(LoadFours(d, lower[lane / 4] + 4 * axis, 16), d, boxes->lower[axis] + lane);
+            hn::Store(LoadFours(d, upper[lane / 4] + 4 * axis, 16), d, boxes->upper[axis] + lane);
         }
     }
     if (_grid.BlocksAlongSide() < kBlockSide) {
