@@ -4,6 +4,7 @@
 #include <cstring>
 #include <map>
 #include <mutex>
+#include <numeric>
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
@@ -16,6 +17,9 @@ namespace {
 /// Plans may take this much, or as much as this for every patch.
 constexpr size_t kLeastPlanBytes = 1 << 20;
 constexpr size_t kPlanBytesPerPatch = 48;
+
+/// Vertices of higher valence are subdivided, however deep.
+constexpr uint32_t kMaxPlannedValence = 16;
 
 /// What decides a plan: topology and tags around a patch, and which of its control points are the
 /// same.
@@ -121,6 +125,23 @@ LimitGridPlan MakePlan(const PatchTable& patches, uint32_t patch, std::vector<Ve
     return LimitGridPlan(std::move(picks), std::move(weights));
 }
 
+/// The plan of an extraordinary patch whose points are all different.
+LimitGridPlan MakePlanOfValence(int valence) {
+    ExtraordinaryPatch::Points values;
+    values.assign(static_cast<size_t>(2 * valence + 8), Vec3f{});
+    std::vector<uint16_t> picks(values.size());
+    std::iota(picks.begin(), picks.end(), uint16_t(0));
+    std::vector<float> weights(picks.size() * LimitGridPlan::kWeightCount, 0.0f);
+    for (size_t i = 0; i < values.size(); ++i) {
+        values[i].x = 1;
+        LimitPoints grid;
+        EvaluateLimitPoints(ExtraordinaryPatch(values.data(), valence), kMaxGridSplits, &grid);
+        values[i].x = 0;
+        StoreWeights(grid, 0, &weights[i * LimitGridPlan::kWeightCount]);
+    }
+    return LimitGridPlan(std::move(picks), std::move(weights));
+}
+
 /// The plans of the process, by signature.
 class PlanLibrary {
   public:
@@ -129,9 +150,9 @@ class PlanLibrary {
         return library;
     }
 
-    std::shared_ptr<const LimitGridPlan> FindOrMake(const Signature& signature,
-                                                    const PatchTable& patches, uint32_t patch,
-                                                    std::vector<Vec3f>* zeroes) {
+    /// @param make  makes the plan if there is none
+    template <class Make>
+    std::shared_ptr<const LimitGridPlan> FindOrMake(const Signature& signature, const Make& make) {
         {
             const std::lock_guard<std::mutex> lock(_mutex);
             if (auto plan = _plans[signature].lock()) {
@@ -139,7 +160,7 @@ class PlanLibrary {
             }
         }
         // Two threads may make the same plan: whoever is first keeps it.
-        auto made = std::make_shared<const LimitGridPlan>(MakePlan(patches, patch, zeroes));
+        auto made = std::make_shared<const LimitGridPlan>(make());
         const std::lock_guard<std::mutex> lock(_mutex);
         auto& entry = _plans[signature];
         if (auto plan = entry.lock()) {
@@ -213,6 +234,7 @@ void GatherControlPoints(const PatchTable& patches, uint32_t patch, ControlPoint
 }
 
 LimitGridPlans::LimitGridPlans(const PatchTable& patches) {
+    _AddValences(patches);
     const std::map<Signature, Kin> groups = GroupPatches(patches);
     std::vector<std::map<Signature, Kin>::const_iterator> order;
     for (auto group = groups.begin(); group != groups.end(); ++group) {
@@ -238,16 +260,45 @@ LimitGridPlans::LimitGridPlans(const PatchTable& patches) {
         [&] { return std::vector<Vec3f>(patches.PointCount()); });
     tbb::parallel_for(size_t(0), planned, [&](size_t i) {
         const auto& [signature, kin] = *order[i];
-        _plans[i] =
-            PlanLibrary::Get().FindOrMake(signature, patches, kin.patches.front(), &zeroes.local());
+        const uint32_t example = kin.patches.front();
+        _plans[i] = PlanLibrary::Get().FindOrMake(
+            signature, [&] { return MakePlan(patches, example, &zeroes.local()); });
         for (uint32_t patch : kin.patches) {
             _planOfPatch[patch] = static_cast<uint16_t>(i + 1);
         }
     });
 }
 
+void LimitGridPlans::_AddValences(const PatchTable& patches) {
+    std::vector<bool> occurs(kMaxPlannedValence + 1, false);
+    const auto note = [&](uint32_t valence) {
+        if (valence <= kMaxPlannedValence) {
+            occurs[valence] = true;
+        }
+    };
+    for (uint32_t patch = 0; patch < patches.Count(); ++patch) {
+        const uint32_t* corners = patches.Indices(patch);
+        if (patches.At(patch).kind == PatchKind::Extraordinary) {
+            note(patches.At(patch).valence);
+        } else if (patches.At(patch).kind == PatchKind::Irregular) {
+            for (int corner = 0; corner < 4; ++corner) {
+                note(patches.Ring(corners[2 * corner]).faceCount);
+            }
+        }
+    }
+    occurs[0] = occurs[1] = occurs[2] = false;
+    for (uint32_t valence = 3; valence <= kMaxPlannedValence; ++valence) {
+        if (occurs[valence]) {
+            _planOfValence.resize(valence + 1);
+            _planOfValence[valence] = PlanLibrary::Get().FindOrMake(
+                {valence}, [&] { return MakePlanOfValence(static_cast<int>(valence)); });
+        }
+    }
+}
+
 size_t LimitGridPlans::Bytes() const {
-    return _plans.capacity() * sizeof(_plans[0]) + _planOfPatch.capacity() * sizeof(uint16_t);
+    return _planOfValence.capacity() * sizeof(_planOfValence[0]) +
+           _plans.capacity() * sizeof(_plans[0]) + _planOfPatch.capacity() * sizeof(uint16_t);
 }
 
 size_t LimitGridPlans::SharedBytes() { return PlanLibrary::Get().Bytes(); }

@@ -60,13 +60,22 @@ class LimitGridPlans {
         const uint32_t plan = _planOfPatch.empty() ? 0 : _planOfPatch[patch];
         return plan == 0 ? nullptr : _plans[plan - 1].get();
     }
+    /// The plan of an ExtraordinaryPatch, its points in their own order: for what is left of a
+    /// patch that has been subdivided. Null if no patch of the table has a vertex of that valence.
+    const LimitGridPlan* OfValence(int valence) const {
+        const auto index = static_cast<size_t>(valence);
+        return index < _planOfValence.size() ? _planOfValence[index].get() : nullptr;
+    }
     /// Memory held, in bytes, without the plans themselves.
     size_t Bytes() const;
     /// Memory of all plans in the process, in bytes.
     static size_t SharedBytes();
 
   private:
+    void _AddValences(const PatchTable& patches);
+
     std::vector<std::shared_ptr<const LimitGridPlan>> _plans;
+    std::vector<std::shared_ptr<const LimitGridPlan>> _planOfValence;
     /// Number of the plan plus one, or 0. Empty if no patch has one.
     std::vector<uint16_t> _planOfPatch;
 };

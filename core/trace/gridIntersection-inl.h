@@ -89,8 +89,7 @@ class QuadBlock {
             const float* upper = lower + kStride;
             const float* const first[4] = {lower, lower + 1, upper + 1, upper};
             for (int c = 0; c < 4; ++c) {
-                hn::Store(hn::Sub(LoadFours(d, first[c], kStride), from), d,
-                          _corners[c][k] + lane);
+                hn::Store(hn::Sub(LoadFours(d, first[c], kStride), from), d, _corners[c][k] + lane);
             }
         }
     }

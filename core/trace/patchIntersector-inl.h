@@ -50,6 +50,26 @@ inline void TurnGrid(const Vec3f from[16], int corner, Vec3f to[16]) {
     }
 }
 
+/// The same for a limit grid.
+inline void TurnGrid(const LimitGrid& from, int corner, LimitGrid* to) {
+    const int side = to->side = from.side;
+    for (int axis = 0; axis < 3; ++axis) {
+        for (int i = 0; i <= side; ++i) {
+            for (int j = 0; j <= side; ++j) {
+                const int row = corner == 0   ? i
+                                : corner == 1 ? j
+                                : corner == 2 ? side - i
+                                              : side - j;
+                const int column = corner == 0   ? j
+                                   : corner == 1 ? side - i
+                                   : corner == 2 ? side - j
+                                                 : i;
+                to->points[axis][row][column] = from.points[axis][i][j];
+            }
+        }
+    }
+}
+
 /// Part of a patch: its rows run along u if isTransposed is set, else along v (see SplitPatch).
 struct SubPatch {
     BezierRows bezier;
@@ -155,15 +175,23 @@ class PatchIntersector {
     void _EvaluatePlanned(const LimitGridPlan& plan, int splits, LimitGrid* grid) {
         ControlPoints indices;
         GatherControlPoints(_surface.Patches(), _patch, &indices);
+        const Vec3f* const points = _surface.PatchPoints().data();
+        _EvaluatePlan(
+            plan, [&](size_t i) { return points[indices[plan.Picks()[i]]]; }, splits, grid);
+    }
+
+    /// @param pick  returns the control point of a pick
+    template <class Pick>
+    HWY_INLINE void _EvaluatePlan(const LimitGridPlan& plan, const Pick& pick, int splits,
+                                  LimitGrid* grid) {
         const size_t count = plan.Picks().size();
         InlineVector<float, 3 * 40> coordinates;
         coordinates.resize(3 * count);
         float* const relative[3] = {coordinates.begin(), coordinates.begin() + count,
                                     coordinates.begin() + 2 * count};
-        const Vec3f* const points = _surface.PatchPoints().data();
-        const Vec3f base = points[indices[plan.Picks()[0]]];
+        const Vec3f base = pick(0);
         for (size_t i = 0; i < count; ++i) {
-            const Vec3f p = points[indices[plan.Picks()[i]]] - base;
+            const Vec3f p = pick(i) - base;
             relative[0][i] = p.x;
             relative[1][i] = p.y;
             relative[2][i] = p.z;
@@ -184,6 +212,7 @@ class PatchIntersector {
     /// @param corner  of the square (u, v, size) that the vertex is at
     void _IntersectExtraordinary(ExtraordinaryPatch patch, int corner, Square square, int splits,
                                  int firstRay) {
+        const LimitGridPlan* plan = _surface.Plans().OfValence(patch.Valence());
         for (; splits > 0; --splits) {
             Box3f box;
             for (const Vec3f& p : patch.ControlPoints()) {
@@ -191,6 +220,14 @@ class PatchIntersector {
             }
             firstRay = _FirstRay(_Widened(box), firstRay);
             if (firstRay >= _rays.rays.count) {
+                return;
+            }
+            if (plan && splits <= kMaxGridSplits) {
+                LimitGrid grid, turned;
+                const auto& points = patch.ControlPoints();
+                _EvaluatePlan(*plan, [&](size_t i) { return points[i]; }, splits, &grid);
+                TurnGrid(grid, corner, &turned);
+                _IntersectWhole(turned, square, _From(firstRay));
                 return;
             }
             ++_statistics.subdivisionsIrregular;
