@@ -4,6 +4,7 @@
 #include <array>
 #include <chrono>
 #include <cstring>
+#include <unordered_set>
 #include <utility>
 
 #include <tbb/parallel_for.h>
@@ -71,7 +72,8 @@ void Scene::RemoveLight(Light* light) {
     Remove(&_lights, light);
 }
 
-std::vector<std::string> Scene::Build(const std::vector<std::string>& renderTags) {
+std::vector<std::string> Scene::Build(const std::vector<std::string>& renderTags,
+                                      std::optional<int> tessellationLevel) {
     const auto start = std::chrono::steady_clock::now();
     // Threads add meshes and lights in any order; pictures and warnings must not depend on it.
     std::stable_sort(_meshes.begin(), _meshes.end(),
@@ -88,6 +90,7 @@ std::vector<std::string> Scene::Build(const std::vector<std::string>& renderTags
     std::vector<std::string> lines;
     const bool meshesChanged = _BuildMeshes(meshes, &lines);
     _BuildTopLevel(meshes, meshesChanged);
+    _Tessellate(tessellationLevel);
     _work.buildSeconds = SecondsSince(start);
     return lines;
 }
@@ -136,12 +139,26 @@ int Scene::PrimvarArity(const std::string& name) const {
     return arity;
 }
 
+/// Tessellates the surfaces that are shown, if a level is given, and drops all other tessellations.
+void Scene::_Tessellate(std::optional<int> level) const {
+    const std::unordered_set<const Mesh*> shown(_instanceMeshes.begin(), _instanceMeshes.end());
+    tbb::parallel_for(size_t(0), _meshes.size(), [&](size_t i) {
+        const Mesh* mesh = _meshes[i].get();
+        if (level && shown.count(mesh) != 0) {
+            mesh->_surface->TessellationAt(*level);
+        } else if (mesh->_surface) {
+            mesh->_surface->DropTessellation();
+        }
+    });
+}
+
 Scene::Statistics Scene::GetStatistics() const {
     Statistics statistics = _work;
     for (const Mesh* mesh : _instanceMeshes) {
         statistics.faces += mesh->_faces.FaceCount();
         statistics.patches += mesh->BuiltSurface()->Patches().Count();
         statistics.bytes += mesh->_Bytes();
+        statistics.tessellationBytes += mesh->BuiltSurface()->TessellationBytes();
     }
     statistics.bytes += _instances.Instances().capacity() * sizeof(Instance) +
                         _instances.TopLevel().Bytes() +

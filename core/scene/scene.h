@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,10 +27,13 @@ class Scene {
 
     /// Brings surfaces and the top level up to date, in parallel, doing only what changes ask for:
     /// topology rebuilds one mesh, points only its bounds, a transform only the top level.
-    /// @param renderTags  meshes with another tag are left out
+    /// @param renderTags         meshes with another tag are left out
+    /// @param tessellationLevel  for TracerKind::Tessellated: what is shown is tessellated at this
+    ///                           level, 0..8; without one the memory of tessellations is given back
     /// Returns one line for each thing that was wrong, beginning with the mesh's name. A line is
     /// returned once, not at every Build.
-    std::vector<std::string> Build(const std::vector<std::string>& renderTags);
+    std::vector<std::string> Build(const std::vector<std::string>& renderTags,
+                                   std::optional<int> tessellationLevel = std::nullopt);
 
     // After Build:
 
@@ -44,7 +48,8 @@ class Scene {
     /// Authored faces, patches and bytes of structures of all that is built.
     struct Statistics {
         size_t faces = 0, patches = 0, bytes = 0;
-        double buildSeconds = 0;  ///< of the last Build
+        size_t tessellationBytes = 0;  ///< of bytes: those of tessellations
+        double buildSeconds = 0;       ///< of the last Build
         /// What all calls of Build did: surfaces made, surfaces whose points moved, top levels
         /// and primvars.
         size_t surfacesBuilt = 0, surfacesMoved = 0, topLevelsBuilt = 0, primvarsBuilt = 0;
@@ -54,6 +59,7 @@ class Scene {
   private:
     bool _BuildMeshes(const std::vector<Mesh*>& meshes, std::vector<std::string>* lines);
     void _BuildTopLevel(const std::vector<Mesh*>& meshes, bool meshesChanged);
+    void _Tessellate(std::optional<int> level) const;
 
     std::mutex _mutex;
     std::vector<std::unique_ptr<Mesh>> _meshes;

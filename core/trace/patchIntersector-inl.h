@@ -17,6 +17,7 @@
 #include "core/trace/gridIntersection-inl.h"
 #include "core/trace/limitGrid-inl.h"
 #include "core/trace/patchRays-inl.h"
+#include "core/trace/patchSquare.h"
 #include "core/trace/rayPacket.h"
 #include "core/trace/surface.h"
 #include "core/trace/traversal-inl.h"
@@ -26,18 +27,6 @@ HWY_BEFORE_NAMESPACE();
 namespace cc {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
-
-/// A square of a patch's parameters: its lower corner and its side.
-struct Square {
-    float u, v, size;
-
-    /// The quarter at a corner, counted from (0,0) by (1,0) and (1,1) to (0,1), modulo four.
-    Square Quarter(int corner) const {
-        const float half = size * 0.5f;
-        const int c = corner & 3;
-        return {c == 1 || c == 2 ? u + half : u, c >= 2 ? v + half : v, half};
-    }
-};
 
 /// Turns a 4x4 grid of points: what began at (0,0) then begins at a corner.
 inline void TurnGrid(const Vec3f from[16], int corner, Vec3f to[16]) {

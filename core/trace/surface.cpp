@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include "core/bvh/lookAheadBounds.h"
 #include "core/subdiv/patchBuilder.h"
@@ -41,6 +42,7 @@ Surface::Surface(const ControlMesh& mesh, const std::vector<Vec3f>& points) {
 }
 
 void Surface::SetPoints(const std::vector<Vec3f>& points) {
+    DropTessellation();
     CutPolygons(points, &_patches);
     _patchPoints = _patches.PatchPoints(points);
     SnapToLattice(&_patchPoints);
@@ -51,9 +53,36 @@ void Surface::SetPoints(const std::vector<Vec3f>& points) {
     _bvh = Bvh(boxes);
 }
 
+const Tessellation& Surface::TessellationAt(int level) const {
+    const int wanted = Tessellation::LevelOf(_patches, level);
+    const Tessellation* found = _tessellation.load(std::memory_order_acquire);
+    if (found && found->Level() == wanted) {
+        return *found;
+    }
+    const std::lock_guard<std::mutex> lock(_tessellationMutex);
+    if (!_ownedTessellation || _ownedTessellation->Level() != wanted) {
+        // Isolated: a thread that waits for its own part of this work must not take up another task
+        // that comes here and finds the mutex taken, by itself.
+        tbb::this_task_arena::isolate([&] {
+            _ownedTessellation = std::make_unique<Tessellation>(_patches, _patchPoints, level);
+        });
+        _tessellation.store(_ownedTessellation.get(), std::memory_order_release);
+    }
+    return *_ownedTessellation;
+}
+
+void Surface::DropTessellation() {
+    _tessellation = nullptr;
+    _ownedTessellation.reset();
+}
+
 size_t Surface::Bytes() const {
     return _patches.Bytes() + _patchPoints.capacity() * sizeof(Vec3f) + _bvh.Bytes() +
-           _plans.Bytes();
+           _plans.Bytes() + TessellationBytes();
+}
+
+size_t Surface::TessellationBytes() const {
+    return _ownedTessellation ? _ownedTessellation->Bytes() : 0;
 }
 
 }  // namespace cc

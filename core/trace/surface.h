@@ -1,6 +1,9 @@
 #pragma once
 
+#include <atomic>
 #include <cstddef>
+#include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -9,6 +12,7 @@
 #include "core/subdiv/controlMesh.h"
 #include "core/subdiv/limitGridPlan.h"
 #include "core/subdiv/patchTable.h"
+#include "core/trace/tessellation.h"
 
 namespace cc {
 
@@ -32,8 +36,17 @@ class Surface {
     const Bvh& PatchBvh() const { return _bvh; }
     /// Bounds of the limit surface in object space.
     const Box3f& Bounds() const { return _bvh.Bounds(); }
-    /// Memory held, in bytes.
+
+    /// The patches evaluated ahead of time, for the tracer that asks for it. Made by the first call
+    /// that does, and kept until the points move, another level is asked for or it is dropped. Many
+    /// threads may call this, if all of them mean one level.
+    /// @param level  0..8
+    const Tessellation& TessellationAt(int level) const;
+    void DropTessellation();
+
+    /// Memory held, in bytes, the tessellation's included.
     size_t Bytes() const;
+    size_t TessellationBytes() const;
 
   private:
     std::string _error;
@@ -41,6 +54,11 @@ class Surface {
     LimitGridPlans _plans;
     std::vector<Vec3f> _patchPoints;
     Bvh _bvh;
+
+    mutable std::mutex _tessellationMutex;
+    mutable std::unique_ptr<const Tessellation> _ownedTessellation;
+    /// The same, for threads to find it without waiting for each other.
+    mutable std::atomic<const Tessellation*> _tessellation{nullptr};
 };
 
 }  // namespace cc

@@ -5,9 +5,11 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "core/trace/algorithm1Tracer.h"
 #include "core/trace/instanceTraversal-inl.h"
 #include "core/trace/packetKernels.h"
 #include "core/trace/patchIntersector-inl.h"
+#include "core/trace/tessellatedTracer.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace cc {
@@ -187,8 +189,13 @@ std::unique_ptr<Tracer> MakePacketTracer(const PacketKernels& kernels, int level
 }
 
 std::unique_ptr<Tracer> MakeTracer(TracerKind kind, int level) {
-    if (kind == TracerKind::Single) {
-        return std::make_unique<SingleTracer>(level);
+    switch (kind) {
+        case TracerKind::Packet: break;
+        case TracerKind::Algorithm1: return MakePacketTracer(Algorithm1Kernels(), level);
+        case TracerKind::Algorithm1WithTexture:
+            return MakePacketTracer(Algorithm1TextureKernels(), level);
+        case TracerKind::Single: return std::make_unique<SingleTracer>(level);
+        case TracerKind::Tessellated: return MakePacketTracer(TessellatedKernels(), level);
     }
     return MakePacketTracer({DispatchIntersect, DispatchOcclude}, level);
 }

@@ -9,10 +9,17 @@
 
 namespace cc {
 
-/// The ways to trace rays. Every kind hits the same surface; they differ in speed only.
-enum class TracerKind { Packet, Single };
+/// The ways to trace rays. Every kind hits the same surface; they differ in speed and memory only.
+enum class TracerKind {
+    Packet,                 ///< 64 rays at a time
+    Algorithm1,             ///< the same, by the paper's recursion as published
+    Algorithm1WithTexture,  ///< the same with texture coordinates: to measure what they cost
+    Single,                 ///< one ray at a time
+    Tessellated,            ///< 64 rays at a time, against quads made ahead of time
+};
 
-/// Finds what rays hit. A tracer has no state of its own: calls may run in parallel.
+/// Finds what rays hit. A tracer has no state of its own: calls may run in parallel. (What is
+/// tessellated ahead of time belongs to the surfaces: Surface::TessellationAt.)
 class Tracer {
   public:
     virtual ~Tracer();

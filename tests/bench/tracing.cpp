@@ -11,7 +11,10 @@ namespace {
 
 const std::map<std::string, cc::TracerKind> kTracers{
     {"packet", cc::TracerKind::Packet},
+    {"algorithm1", cc::TracerKind::Algorithm1},
+    {"algorithm1-texture", cc::TracerKind::Algorithm1WithTexture},
     {"single", cc::TracerKind::Single},
+    {"tessellated", cc::TracerKind::Tessellated},
 };
 
 /// One thread's tracing of chunks.

@@ -147,11 +147,15 @@ TEST(RenderFrame, IsTheSameForAnyNumberOfThreads) {
 TEST(RenderFrame, TracersAgree) {
     Scene scene;
     AddCage(&scene, "/cube", Cube());
-    RenderOptions single = Options();
-    single.tracer = TracerKind::Single;
-    const Film a = Render(&scene, CameraAt(5)), b = Render(&scene, CameraAt(5), single);
-    for (int i = 0; i < a.Width() * a.Height(); ++i) {
-        EXPECT_EQ(a.Ints(Aov::ElementId)[i], b.Ints(Aov::ElementId)[i]);
+    const Film a = Render(&scene, CameraAt(5));
+    for (const TracerKind kind :
+         {TracerKind::Single, TracerKind::Algorithm1, TracerKind::Tessellated}) {
+        RenderOptions options = Options();
+        options.tracer = kind;
+        const Film b = Render(&scene, CameraAt(5), options);
+        for (int i = 0; i < a.Width() * a.Height(); ++i) {
+            EXPECT_EQ(a.Ints(Aov::ElementId)[i], b.Ints(Aov::ElementId)[i]);
+        }
     }
 }
 

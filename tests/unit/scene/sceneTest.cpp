@@ -1,6 +1,7 @@
 #include "core/scene/scene.h"
 
 #include <algorithm>
+#include <optional>
 
 #include <gtest/gtest.h>
 #include <tbb/parallel_for.h>
@@ -86,6 +87,39 @@ TEST(Scene, DoesOnlyWhatChangesAskFor) {
     scene.RemoveMesh(a);
     expectWork(3, 1, 7);
     EXPECT_EQ(ShownNames(scene), Names{"/b"});
+}
+
+TEST(Scene, TessellatesWhatIsShownIfAsked) {
+    Scene scene;
+    Mesh* a = AddCage(&scene, "/a", Cube());
+    Mesh* b = AddCage(&scene, "/b", Square());
+    b->SetVisible(false);
+    const auto bytesAt = [&](std::optional<int> level) {
+        EXPECT_TRUE(scene.Build({"geometry"}, level).empty());
+        return scene.GetStatistics().tessellationBytes;
+    };
+    EXPECT_EQ(bytesAt(std::nullopt), 0u);
+    const size_t direct = scene.GetStatistics().bytes;
+    const size_t atThree = bytesAt(3);
+    // A point takes 12 bytes, and there is one for each quad and more.
+    EXPECT_GT(atThree, 12u * 6 * 64);
+    EXPECT_EQ(scene.GetStatistics().bytes, direct + atThree);
+    EXPECT_EQ(atThree, a->BuiltSurface()->TessellationBytes());
+
+    const Tessellation* made = &a->BuiltSurface()->TessellationAt(3);
+    EXPECT_EQ(bytesAt(3), atThree);
+    EXPECT_EQ(&a->BuiltSurface()->TessellationAt(3), made) << "nothing has changed";
+    EXPECT_GT(bytesAt(5), 12 * atThree);
+
+    b->SetVisible(true);
+    const size_t both = bytesAt(3);
+    EXPECT_EQ(both, atThree + b->BuiltSurface()->TessellationBytes());
+    EXPECT_GT(both, atThree);
+    a->SetVisible(false);
+    EXPECT_EQ(bytesAt(3), both - atThree);
+    EXPECT_EQ(a->BuiltSurface()->TessellationBytes(), 0u) << "hidden meshes give theirs back";
+    EXPECT_EQ(bytesAt(std::nullopt), 0u);
+    EXPECT_EQ(b->BuiltSurface()->TessellationBytes(), 0u);
 }
 
 TEST(Scene, TransformsReachTheTopLevel) {

@@ -3,64 +3,17 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <utility>
 
 #include <gtest/gtest.h>
 
 #include "core/subdiv/limitPoint.h"
 #include "tests/unit/subdiv/cageKit.h"
 #include "tests/unit/subdiv/testCages.h"
+#include "tests/unit/trace/traceKit.h"
 
 namespace cc::test {
 namespace {
-
-/// A cage's surface, alone in a world, with a transform.
-struct TracedCage {
-    explicit TracedCage(Cage cage, const AffineTransform& objectToWorld = AffineTransform()) {
-        ValidateControlMesh(&cage.mesh, cage.points.size());
-        surface = std::make_unique<Surface>(cage.mesh, cage.points);
-        Instance instance;
-        instance.surface = surface.get();
-        instance.objectToWorld = objectToWorld;
-        objectToWorld.Invert(&instance.worldToObject);
-        world = InstanceBvh({instance});
-    }
-
-    std::unique_ptr<Surface> surface;
-    InstanceBvh world;
-};
-
-/// Rays of a small pinhole camera that looks at the middle of a box from outside, 8 x 8.
-RayPacket CameraPacket(const Box3f& box, const Vec3f& from, float width, std::mt19937* random) {
-    std::uniform_real_distribution<float> unit(-0.5f, 0.5f);
-    const Vec3f eye = box.Center() + from * box.Diagonal();
-    const Vec3f target{box.Center().x + unit(*random) * box.Size().x,
-                       box.Center().y + unit(*random) * box.Size().y,
-                       box.Center().z + unit(*random) * box.Size().z};
-    const Vec3f forward = Normalize(target - eye);
-    const Vec3f side = Normalize(Cross(forward, {0.3f, 0.8f, 0.5f}));
-    const Vec3f up = Cross(side, forward);
-    RayPacket rays;
-    rays.count = kPacketSize;
-    for (int i = 0; i < kPacketSize; ++i) {
-        const float x = width * ((i % 8) / 7.0f - 0.5f), y = width * ((i / 8) / 7.0f - 0.5f);
-        const Vec3f d = forward + side * x + up * y;
-        rays.originX[i] = eye.x;
-        rays.originY[i] = eye.y;
-        rays.originZ[i] = eye.z;
-        rays.directionX[i] = d.x;
-        rays.directionY[i] = d.y;
-        rays.directionZ[i] = d.z;
-        rays.tMin[i] = 0;
-        rays.tMax[i] = 1e30f;
-    }
-    return rays;
-}
-
-Vec3f PointOf(const RayPacket& rays, int i) {
-    const float t = rays.tMax[i];
-    return {rays.originX[i] + t * rays.directionX[i], rays.originY[i] + t * rays.directionY[i],
-            rays.originZ[i] + t * rays.directionZ[i]};
-}
 
 /// By how much a step shrinks the faces around the vertex of a patch where that is least: a half at
 /// regular vertices, more at a high valence and in a bend of a boundary or crease.
@@ -168,6 +121,10 @@ Cage CreasedIcosahedron() {
 }
 
 TEST(Tracer, NothingEscapesAClosedMesh) {
+    const std::pair<TracerKind, int> tracers[] = {
+        {TracerKind::Packet, 1},      {TracerKind::Packet, 3},     {TracerKind::Packet, 4},
+        {TracerKind::Algorithm1, 1},  {TracerKind::Algorithm1, 4}, {TracerKind::Algorithm1, 6},
+        {TracerKind::Tessellated, 1}, {TracerKind::Tessellated, 4}};
     for (const Cage& cage :
          {Torus(8, 6), Cube(), Drum(5), Tetrahedron(), TriangleTorus(8, 6), TriangleTorus(3, 4),
           LoopOctahedron(), LoopIcosahedron(), CreasedIcosahedron()}) {
@@ -180,8 +137,8 @@ TEST(Tracer, NothingEscapesAClosedMesh) {
         std::mt19937 random(11);
         std::normal_distribution<float> normal;
         TraceStatistics statistics;
-        for (int level : {1, 3, 4}) {
-            const std::unique_ptr<Tracer> tracer = MakeTracer(TracerKind::Packet, level);
+        for (const auto& [kind, level] : tracers) {
+            const std::unique_ptr<Tracer> tracer = MakeTracer(kind, level);
             for (int n = 0; n < 50; ++n) {
                 RayPacket rays;
                 rays.count = kPacketSize;

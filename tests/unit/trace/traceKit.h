@@ -1,0 +1,70 @@
+#pragma once
+
+#include <memory>
+#include <random>
+#include <string>
+
+#include "core/trace/instance.h"
+#include "core/trace/rayPacket.h"
+#include "core/trace/surface.h"
+#include "tests/unit/subdiv/testCages.h"
+
+namespace cc::test {
+
+/// A cage's surface, alone in a world, with a transform.
+struct TracedCage {
+    explicit TracedCage(Cage cage, const AffineTransform& objectToWorld = AffineTransform()) {
+        ValidateControlMesh(&cage.mesh, cage.points.size());
+        surface = std::make_unique<Surface>(cage.mesh, cage.points);
+        Instance instance;
+        instance.surface = surface.get();
+        instance.objectToWorld = objectToWorld;
+        objectToWorld.Invert(&instance.worldToObject);
+        world = InstanceBvh({instance});
+    }
+
+    std::unique_ptr<Surface> surface;
+    InstanceBvh world;
+};
+
+/// Rays of a small pinhole camera that looks at the middle of a box from outside, 8 x 8.
+inline RayPacket CameraPacket(const Box3f& box, const Vec3f& from, float width,
+                              std::mt19937* random) {
+    std::uniform_real_distribution<float> unit(-0.5f, 0.5f);
+    const Vec3f eye = box.Center() + from * box.Diagonal();
+    const Vec3f target{box.Center().x + unit(*random) * box.Size().x,
+                       box.Center().y + unit(*random) * box.Size().y,
+                       box.Center().z + unit(*random) * box.Size().z};
+    const Vec3f forward = Normalize(target - eye);
+    const Vec3f side = Normalize(Cross(forward, {0.3f, 0.8f, 0.5f}));
+    const Vec3f up = Cross(side, forward);
+    RayPacket rays;
+    rays.count = kPacketSize;
+    for (int i = 0; i < kPacketSize; ++i) {
+        const float x = width * ((i % 8) / 7.0f - 0.5f), y = width * ((i / 8) / 7.0f - 0.5f);
+        const Vec3f d = forward + side * x + up * y;
+        rays.originX[i] = eye.x;
+        rays.originY[i] = eye.y;
+        rays.originZ[i] = eye.z;
+        rays.directionX[i] = d.x;
+        rays.directionY[i] = d.y;
+        rays.directionZ[i] = d.z;
+        rays.tMin[i] = 0;
+        rays.tMax[i] = 1e30f;
+    }
+    return rays;
+}
+
+inline Vec3f PointOf(const RayPacket& rays, int i) {
+    const float t = rays.tMax[i];
+    return {rays.originX[i] + t * rays.directionX[i], rays.originY[i] + t * rays.directionY[i],
+            rays.originZ[i] + t * rays.directionZ[i]};
+}
+
+/// Faces of these coincide: which of them a ray meets first is up to rounding.
+inline bool HasCoincidentFaces(const Cage& cage) {
+    return cage.name == "two triangles back to back" ||
+           cage.name.find("face twice") != std::string::npos;
+}
+
+}  // namespace cc::test
