@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <exception>
 #include <memory>
+#include <optional>
 
 #include "pxr/base/tf/diagnostic.h"
 #include "pxr/imaging/hd/camera.h"
@@ -197,11 +198,15 @@ bool HdCCRenderPass::_Render() {
     for (TfToken const &tag : _picture.renderTags) {
         tags.push_back(tag.GetString());
     }
-    for (std::string const &warning : _param->GetScene()->Build(tags)) {
+    frame->options = HdCCRenderOptions(*_delegate);
+    std::optional<int> tessellationLevel;
+    if (frame->options.tracer == cc::TracerKind::Tessellated) {
+        tessellationLevel = frame->options.level;
+    }
+    for (std::string const &warning : _param->GetScene()->Build(tags, tessellationLevel)) {
         TF_WARN("%s", warning.c_str());
     }
     frame->scene = _param->GetScene()->GetStatistics();
-    frame->options = HdCCRenderOptions(*_delegate);
     frame->film = cc::Film(visible.GetWidth(), visible.GetHeight(), _FilmAovs());
 
     _param->pixelsDone = 0;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <utility>
 
 #include "pxr/base/tf/staticTokens.h"
 #include "pxr/base/tf/stringUtils.h"
@@ -38,14 +39,29 @@ struct _Setting {
 
 }  // namespace
 
+/// What hdcc:tracer may be, and what each is to core.
+static std::vector<std::pair<std::string, cc::TracerKind>> const &_Tracers() {
+    static const std::vector<std::pair<std::string, cc::TracerKind>> tracers{
+        {"packet", cc::TracerKind::Packet},
+        {"algorithm1", cc::TracerKind::Algorithm1},
+        {"single", cc::TracerKind::Single},
+        {"tessellated", cc::TracerKind::Tessellated},
+    };
+    return tracers;
+}
+
+static std::vector<std::string> _TracerNames() {
+    std::vector<std::string> names;
+    for (auto const &tracer : _Tracers()) {
+        names.push_back(tracer.first);
+    }
+    return names;
+}
+
 static std::vector<_Setting> const &_Settings() {
     constexpr int kMost = std::numeric_limits<int>::max();
     static const std::vector<_Setting> settings{
-        {_tokens->tracer,
-         "Tracer",
-         _Kind::Choice,
-         VtValue(std::string("packet")),
-         {"packet", "single"}},
+        {_tokens->tracer, "Tracer", _Kind::Choice, VtValue(std::string("packet")), _TracerNames()},
         {_tokens->level, "Finest level", _Kind::Integer, VtValue(4), {}, 0, 8},
         {_tokens->integrator,
          "Integrator",
@@ -156,9 +172,12 @@ std::string HdCCCheckRenderSetting(TfToken const &key, VtValue const &value, VtV
 
 cc::RenderOptions HdCCRenderOptions(HdRenderDelegate const &delegate) {
     cc::RenderOptions options;
-    options.tracer = delegate.GetRenderSetting(_tokens->tracer, std::string()) == "single"
-                         ? cc::TracerKind::Single
-                         : cc::TracerKind::Packet;
+    const std::string tracer = delegate.GetRenderSetting(_tokens->tracer, std::string());
+    for (auto const &known : _Tracers()) {
+        if (known.first == tracer) {
+            options.tracer = known.second;
+        }
+    }
     options.integrator = cc::IntegratorKind::Raycast;
     options.level = delegate.GetRenderSetting(_tokens->level, options.level);
     options.samples = delegate.GetRenderSetting(_tokens->samples, options.samples);

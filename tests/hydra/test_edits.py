@@ -171,6 +171,25 @@ def test_many_edits_in_turn() -> None:
         assert_same(view.render(), render(stage))
 
 
+def test_tessellations_see_edits() -> None:
+    stage = make_scene()
+    view = View(stage, tracer="tessellated")
+    view.execute()
+    for edit in (move_points, move_prim, change_topology, add_tags, add_prim, move_camera):
+        edit(stage)
+        assert_same(view.render(), render(stage, tracer="tessellated"))
+
+
+def test_the_tracer_may_change_between_frames() -> None:
+    stage = make_scene()
+    view = View(stage)
+    frames = [("tessellated", 4), ("algorithm1", 4), ("tessellated", 3), ("tessellated", 5)]
+    for tracer, level in [*frames, ("single", 2), ("packet", 4)]:
+        view.set("tracer", tracer)
+        view.set("level", level)
+        assert_same(view.render(), render(stage, tracer=tracer, level=level))
+
+
 def test_time_samples() -> None:
     stage = make_stage()
     points = add_grid(stage, bump=0.2).GetPointsAttr()

@@ -8,6 +8,7 @@ import time
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 from hydra_kit import PLUGIN, View, add_cube, add_grid, make_stage, render
 from pxr import Sdf, Tf, Usd, UsdImagingGL, UsdRender
@@ -52,6 +53,8 @@ def test_settings_are_listed() -> None:
         ("hdcc:samples", 1, 1),
         ("hdcc:seed", -7, -7),
         ("hdcc:tracer", "single", "single"),
+        ("hdcc:tracer", "algorithm1", "algorithm1"),
+        ("hdcc:tracer", "tessellated", "tessellated"),
         ("hdcc:aovs", "normal, cameraDepth", "normal, cameraDepth"),
     ],
 )
@@ -75,8 +78,8 @@ def test_setting_is_taken(key: str, value: Any, taken: Any) -> None:
         ("hdcc:level", 2**40, "0 to 8"),
         ("hdcc:samples", 0, "from 1 up"),
         ("hdcc:threads", -1, "from 0 up"),
-        ("hdcc:tracer", "fast", "packet, single"),
-        ("hdcc:tracer", 1, "packet, single"),
+        ("hdcc:tracer", "fast", "packet, algorithm1, single, tessellated"),
+        ("hdcc:tracer", 1, "packet, algorithm1, single, tessellated"),
         ("hdcc:integrator", "path", "raycast"),
         ("hdcc:aovs", "normal beauty", "AOVs"),
     ],
@@ -251,9 +254,61 @@ def test_progress_can_be_asked_from_another_thread() -> None:
 def test_tracers_agree() -> None:
     stage = make_stage()
     add_cube(stage)
-    a, b = render(stage, tracer="packet"), render(stage, tracer="single")
-    assert (a["primId"] == b["primId"]).all()
-    assert abs(a["cameraDepth"] - b["cameraDepth"]).max() < 1e-4
+    packet = render(stage, tracer="packet")
+    for tracer in ("algorithm1", "single", "tessellated"):
+        other = render(stage, tracer=tracer)
+        assert (packet["primId"] == other["primId"]).all()
+        assert abs(packet["cameraDepth"] - other["cameraDepth"]).max() < 1e-4
+
+
+def test_tessellation_is_counted_while_it_is_used() -> None:
+    stage = make_stage()
+    add_cube(stage)
+    view = View(stage, level=4)
+
+    def structures(tracer: str) -> int:
+        view.set("tracer", tracer)
+        view.execute()
+        return view.engine.GetRenderStats()["bytes"]["structures"]
+
+    packet = structures("packet")
+    # A quad has a point of 12 bytes and more, and the cube 6 times 16 x 16 of them.
+    assert structures("tessellated") > packet + 12 * 6 * 256
+    assert structures("packet") == structures("algorithm1") == packet
+
+
+def _depths_on_simd_target(target: str, folder: Path) -> tuple[np.ndarray, str]:
+    """What another process sees of the cube with HDCC_SIMD_TARGET set, and what it warns of."""
+    code = (
+        "from hydra_kit import *\n"
+        "stage = make_stage(); add_cube(stage)\n"
+        f"np.save({str(folder / 'depth.npy')!r}, render(stage)['cameraDepth'])\n"
+        "render(stage)\n"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code],
+        cwd=Path(__file__).parent,
+        env={**os.environ, "HDCC_SIMD_TARGET": target},
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    return np.load(folder / "depth.npy"), done.stderr
+
+
+def test_the_simd_target_can_be_chosen(tmp_path: Path) -> None:
+    stage = make_stage()
+    add_cube(stage)
+    here = render(stage)["cameraDepth"]
+    depths, said = _depths_on_simd_target("SSE4", tmp_path)
+    assert "SIMD" not in said
+    assert np.allclose(depths, here, atol=1e-6)
+
+
+def test_an_unknown_simd_target_is_warned_about_once(tmp_path: Path) -> None:
+    _, said = _depths_on_simd_target("MMX", tmp_path)
+    assert said.count("'MMX'") == 1
+    assert "HDCC_SIMD_TARGET" in said and "SSE4" in said
 
 
 def test_needs_no_gpu_and_no_display() -> None:

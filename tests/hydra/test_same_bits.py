@@ -15,7 +15,7 @@ def make_scene() -> Usd.Stage:
     return stage
 
 
-@pytest.mark.parametrize("tracer", ["packet", "single"])
+@pytest.mark.parametrize("tracer", ["packet", "algorithm1", "single", "tessellated"])
 def test_threads_do_not_matter(tracer: str) -> None:
     stage = make_scene()
     one = render(stage, threads=1, tracer=tracer, size=(97, 61))
