@@ -9,6 +9,8 @@
 
 #include <tbb/parallel_for.h>
 
+#include "core/subdiv/limitGridPlan.h"
+
 namespace cc {
 namespace {
 
@@ -160,6 +162,7 @@ Scene::Statistics Scene::GetStatistics() const {
         statistics.bytes += mesh->_Bytes();
         statistics.tessellationBytes += mesh->BuiltSurface()->TessellationBytes();
     }
+    statistics.bytes += LimitGridPlans::SharedBytes();
     statistics.bytes += _instances.Instances().capacity() * sizeof(Instance) +
                         _instances.TopLevel().Bytes() +
                         _instanceMeshes.capacity() * sizeof(const Mesh*);

@@ -45,7 +45,8 @@ class Scene {
     /// Most numbers a value that a primvar has on any mesh that is shown; 0 if none has it.
     int PrimvarArity(const std::string& name) const;
 
-    /// Authored faces, patches and bytes of structures of all that is built.
+    /// Authored faces, patches and bytes of structures of all that is built, limit grid plans of
+    /// the process among them.
     struct Statistics {
         size_t faces = 0, patches = 0, bytes = 0;
         size_t tessellationBytes = 0;  ///< of bytes: those of tessellations
