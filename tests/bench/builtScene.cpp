@@ -28,7 +28,8 @@ BuiltScene::BuiltScene(const BenchScene& source, const Ray& firstRay, int thread
         added->SetRenderTag("geometry");
         _meshes.push_back(added);
     }
-    _Build(firstRay, threads);
+    _Build(threads);
+    _TraceFirstRay(firstRay);
     _buildSeconds = SecondsSince(begin);
 }
 
@@ -38,20 +39,32 @@ double BuiltScene::Edit(std::vector<std::vector<cc::Vec3f>> points, const Ray& f
     for (size_t i = 0; i < _meshes.size(); ++i) {
         _meshes[i]->SetPoints(std::move(points[i]));
     }
-    _Build(firstRay, threads);
+    _Build(threads);
+    _TraceFirstRay(firstRay);
     return SecondsSince(begin);
 }
 
-void BuiltScene::_Build(const Ray& firstRay, int threads) {
+double BuiltScene::Tessellate(int level, int threads) {
+    const auto begin = std::chrono::steady_clock::now();
+    _Build(threads, level);
+    return SecondsSince(begin);
+}
+
+void BuiltScene::DropTessellation() { _Build(1); }
+
+void BuiltScene::_Build(int threads, std::optional<int> tessellationLevel) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                     static_cast<size_t>(threads));
-    for (const std::string& warning : _scene.Build({"geometry"})) {
+    for (const std::string& warning : _scene.Build({"geometry"}, tessellationLevel)) {
         std::fprintf(stderr, "warning: %s\n", warning.c_str());
     }
+}
+
+void BuiltScene::_TraceFirstRay(const Ray& ray) const {
     cc::RayPacket packet;
     cc::HitPacket hits;
     cc::TraceStatistics statistics;
-    FillPacket(&firstRay, 1, &packet);
+    FillPacket(&ray, 1, &packet);
     MakeTracer(cc::TracerKind::Packet, 4)
         ->Intersect(_scene.Instances(), &packet, &hits, &statistics);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,11 +18,17 @@ class BuiltScene {
     /// Moves all points, as an edit does, and traces the first ray. Returns the seconds it took.
     double Edit(std::vector<std::vector<cc::Vec3f>> points, const Ray& firstRay, int threads);
 
+    /// Makes what cc::TracerKind::Tessellated traces, for one level. Returns the seconds it took.
+    double Tessellate(int level, int threads);
+    /// Gives the memory of that back.
+    void DropTessellation();
+
     const cc::Scene& Scene() const { return _scene; }
     double BuildSeconds() const { return _buildSeconds; }
 
   private:
-    void _Build(const Ray& firstRay, int threads);
+    void _Build(int threads, std::optional<int> tessellationLevel = std::nullopt);
+    void _TraceFirstRay(const Ray& ray) const;
 
     cc::Scene _scene;
     std::vector<cc::Mesh*> _meshes;

@@ -7,6 +7,8 @@
 //
 //     build THREADS                      points in memory to the first ray, all anew
 //     edit THREADS                       new points to the first ray
+//     tessellate LEVEL THREADS           what the tracer "tessellated" needs before it is timed
+//     drop-tessellation
 //     make-rays FILE SIZE LEVEL          primary, shadow and reflection rays of a square picture
 //     load-rays FILE
 //     trace TRACER LEVEL SET THREADS     SET is a name such as primary
@@ -55,6 +57,18 @@ class Bench {
             points.push_back(RippledPoints(mesh, static_cast<float>(_edits)));
         }
         return Answer().Number("seconds", _built->Edit(std::move(points), _firstRay, threads));
+    }
+
+    Answer Tessellate(const Words& words) {
+        const int level = NumberAt(words, 0, 0, 8), threads = NumberAt(words, 1, 1, kMaxThreads);
+        _RequireScene();
+        return Answer().Number("seconds", _built->Tessellate(level, threads));
+    }
+
+    Answer DropTessellation() {
+        _RequireScene();
+        _built->DropTessellation();
+        return Answer();
     }
 
     Answer MakeRays(const Words& words) {
@@ -125,7 +139,8 @@ class Bench {
         return Answer()
             .Count("faces", statistics.faces)
             .Count("patches", statistics.patches)
-            .Count("bytes", statistics.bytes)
+            .Count("bytes", statistics.bytes - statistics.tessellationBytes)
+            .Count("tessellation_bytes", statistics.tessellationBytes)
             .Count("patch_bytes", patches)
             .Count("point_bytes", points)
             .Count("bvh_bytes", bvh)
@@ -169,6 +184,8 @@ void Serve(const std::string& path) {
     ServeCommands({
         {"build", [&](const Words& words) { return bench.Build(words); }},
         {"edit", [&](const Words& words) { return bench.Edit(words); }},
+        {"tessellate", [&](const Words& words) { return bench.Tessellate(words); }},
+        {"drop-tessellation", [&](const Words&) { return bench.DropTessellation(); }},
         {"make-rays", [&](const Words& words) { return bench.MakeRays(words); }},
         {"load-rays", [&](const Words& words) { return bench.LoadRays(words); }},
         {"trace", [&](const Words& words) { return bench.Trace(words, HitValues::None); }},

@@ -119,10 +119,12 @@ TABLE7: Columns = {
     **BASICS,
     "quads": lambda row: f"{row['patches'] * 4 ** row['level']:,}",
     **PRIMARY,
+    "shadow Mrays/s": _number("mrays_per_second.shadow", "{:.2f}"),
     **FASTER,
     "(paper)": _paper("table7", "ratio"),
     "other hits": _differences,
     "MB": _megabytes("bytes.structures"),
+    "ours is smaller by": _number("bytes_ratio", "{:.1f}x"),
     "build s": _number("seconds.build", "{:.3f}"),
 }
 EMBREE: Columns = {

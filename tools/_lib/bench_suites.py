@@ -11,8 +11,8 @@ from .bench_columns import Columns
 from .bench_measure import Row, Session
 
 #: Our tracers; the first is what others are measured against.
-PACKET, SINGLE = "packet", "single"
-TRACERS = (PACKET, SINGLE)
+PACKET, TESSELLATED = "packet", "tessellated"
+TRACERS = (PACKET, "algorithm1", "single")
 ALL_SETS = tuple(bench_measure.KIND_OF_RAYS)
 
 
@@ -66,12 +66,13 @@ def _run_table(
 
 def table1(options: argparse.Namespace) -> list[Row]:
     """What packets do on their way to the hits of primary rays."""
-    return _run_table(options, (PACKET,), ("primary",))
+    return _run_table(options, (PACKET, "algorithm1"), ("primary",))
 
 
 def table2(options: argparse.Namespace) -> list[Row]:
     """Ray casting."""
-    return _run_table(options, TRACERS, ("primary",), textures=(PACKET,))
+    tracers = (PACKET, "algorithm1", "algorithm1-texture", "single")
+    return _run_table(options, tracers, ("primary",), textures=(PACKET,))
 
 
 def table3(options: argparse.Namespace) -> list[Row]:
@@ -101,8 +102,22 @@ def table7(options: argparse.Namespace) -> list[Row]:
     for scene in bench_scenes.scenes(options, ("creature",)):
         with bench_measure.session(scene, options) as own:
             for level in _levels(options, (1, 2, 3, 4)):
-                rows += _compare(own, level, (PACKET, "tessellated"), ("primary",), options)
+                rows += _measure_tessellated(own, level, options)
     return rows
+
+
+def _measure_tessellated(own: Session, level: int, options: argparse.Namespace) -> list[Row]:
+    tessellated = own.program.ask("tessellate", level, own.threads)
+    tracers = (PACKET, TESSELLATED)
+    ours, theirs = _compare(own, level, tracers, ("primary", "shadow"), options)
+    memory = own.program.ask("memory")
+    own.program.ask("drop-tessellation")
+    theirs["bytes"] = bench_measure.bytes_of(
+        memory["tessellation_bytes"], memory["faces"], memory["peak_rss"]
+    )
+    theirs["bytes_ratio"] = memory["tessellation_bytes"] / max(ours["bytes"]["structures"], 1)
+    theirs["seconds"]["build"] = ours["seconds"]["build"] + tessellated["seconds"]
+    return [ours, theirs]
 
 
 def build(options: argparse.Namespace) -> list[Row]:
@@ -221,6 +236,7 @@ SUITES = {
     "table3": Suite("with shadows of 2 lights", table3, bench_columns.TABLE3),
     "table4": Suite("levels 1 to 4 on the forest", table4, bench_columns.TABLE4),
     "table5": Suite("with shadows and a mirrored bounce", table5, bench_columns.TABLE5),
+    "table7": Suite("against pre-tessellation", table7, bench_columns.TABLE7),
     "embree": Suite("against Embree", bench_embree.run, bench_columns.EMBREE),
     "build": Suite("from points to the first ray", build, bench_columns.BUILD),
     "memory": Suite("bytes a face", memory, bench_columns.MEMORY),
