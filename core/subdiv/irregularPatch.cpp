@@ -39,12 +39,14 @@ struct RefinedQuad {
     /// The ring of the face point. Its first face is the quarter of a corner.
     VertexRing FaceRing(int corner) const {
         VertexRing ring;
+        ring.decay = corners[0].decay;
         ring.center = face;
         for (int k = 0; k < 4; ++k) {
             ring.edges.push_back(edges[(corner + 3 + k) & 3]);
             ring.diagonals.push_back(corners[(corner + k) & 3].center);
         }
         ring.edgeSharpness.assign(4, 0);
+        ring.farSharpness.assign(4, 0);
         return ring;
     }
 
@@ -53,13 +55,14 @@ struct RefinedQuad {
         const int a = edge, b = Next(edge);
         const VertexRing& ringA = corners[a];
         const VertexRing& ringB = corners[b];
+        const int edgeA = faces[a], edgeB = ringB.Wrap(faces[b] + 1);
         VertexRing ring;
+        ring.decay = ringA.decay;
         ring.center = edges[edge];
         ring.edges = {ringB.center, face, ringA.center};
         ring.diagonals = {edges[b], edges[Previous(a)]};
-        const float sharpnessA = ringA.edgeSharpness[faces[a]];
-        const float sharpnessB = ringB.edgeSharpness[ringB.Wrap(faces[b] + 1)];
-        ring.edgeSharpness = {sharpnessB, 0, sharpnessA};
+        ring.edgeSharpness = {ringB.edgeSharpness[edgeB], 0, ringA.edgeSharpness[edgeA]};
+        ring.farSharpness = {ringB.OtherSharpness(edgeB), 0, ringA.OtherSharpness(edgeA)};
         if (isOpen[edge]) {
             ring.isClosed = false;
             return ring;
@@ -69,6 +72,7 @@ struct RefinedQuad {
         ring.edges.push_back(ringA.diagonals[ringA.Wrap(faces[a] - 1)]);
         ring.diagonals.push_back(ringB.edges[ringB.Wrap(faces[b] + 2)]);
         ring.edgeSharpness.push_back(0);
+        ring.farSharpness.push_back(0);
         return ring;
     }
 };
@@ -104,7 +108,6 @@ void IrregularPatch::Subdivide(IrregularPatch quarters[4]) const {
     VertexRing edgeRings[4];
     for (int edge = 0; edge < 4; ++edge) {
         edgeRings[edge] = refined.EdgeRing(edge);
-        edgeRings[edge].decay = rings[0].decay;
     }
     for (int corner = 0; corner < 4; ++corner) {
         IrregularPatch& quarter = quarters[corner];

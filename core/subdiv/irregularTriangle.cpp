@@ -16,14 +16,17 @@ TriangleRing MiddleRing(const TriangleRing corners[3], const int faces[3], int e
     ring.decay = ringA.decay;
     ring.center = ringA.edges[faces[a]];
     ring.edges = {ringB.center, ringB.edges[faces[b]], corners[c].edges[faces[c]], ringA.center};
-    ring.edgeSharpness = {ringB.edgeSharpness[ringB.Wrap(faces[b] + 1)], 0, 0,
-                          ringA.edgeSharpness[faces[a]]};
+    const int edgeA = faces[a], edgeB = ringB.Wrap(faces[b] + 1);
+    ring.edgeSharpness = {ringB.edgeSharpness[edgeB], 0, 0, ringA.edgeSharpness[edgeA]};
+    ring.farSharpness = {ringB.OtherSharpness(edgeB), 0, 0, ringA.OtherSharpness(edgeA)};
     ring.isClosed = !isOpen;
     if (!isOpen) {
         ring.edges.push_back(ringA.edges[ringA.Wrap(faces[a] - 1)]);
         ring.edges.push_back(ringB.edges[ringB.Wrap(faces[b] + 2)]);
-        ring.edgeSharpness.push_back(0);
-        ring.edgeSharpness.push_back(0);
+        for (int i = 0; i < 2; ++i) {
+            ring.edgeSharpness.push_back(0);
+            ring.farSharpness.push_back(0);
+        }
     }
     return ring;
 }

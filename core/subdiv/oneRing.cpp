@@ -318,6 +318,24 @@ class CornerRingGatherer {
         _edges.push_back(edge);
         _ring.vertices.push_back(_OtherEnd(edge));
         _ring.tags.edgeSharpness.push_back(SharpnessOf(_level, edge));
+        _ring.tags.farSharpness.push_back(_FarSharpness(edge));
+    }
+
+    /// RingTags::farSharpness.
+    float _FarSharpness(Index edge) const {
+        const float sharpness = SharpnessOf(_level, edge);
+        float sum = 0;
+        int count = 0;
+        if (Crease::IsSemiSharp(sharpness)) {
+            for (Index other : _level.GetVertexEdges(_OtherEnd(edge))) {
+                const float s = SharpnessOf(_level, other);
+                if (other != edge && Crease::IsSemiSharp(s)) {
+                    sum += s;
+                    ++count;
+                }
+            }
+        }
+        return count > 0 ? sum / static_cast<float>(count) : sharpness;
     }
 
     Index _OtherEnd(Index edge) const {

@@ -24,6 +24,10 @@ RingTags PatchTable::TagsOf(const PatchRing& ring) const {
     RingTags tags;
     tags.edgeSharpness.assign(sharpness, outside);
     tags.outsideSharpness.assign(outside, outside + ring.outsideCount);
+    if (_decay == SharpnessDecay::Chaikin) {
+        const float* const far = outside + ring.outsideCount;
+        tags.farSharpness.assign(far, far + tags.edgeSharpness.size());
+    }
     tags.vertexSharpness = ring.vertexSharpness;
     tags.isClosed = ring.isClosed;
     tags.outsideNeighborCount = ring.outsideNeighborCount;

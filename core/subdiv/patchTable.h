@@ -50,7 +50,7 @@ struct Patch {
 /// A vertex with the faces and tags that shape one side of it (RingTags), shared by the irregular
 /// patches around the vertex. Its points are the vertex, then its edge neighbours, and among quads
 /// the face diagonals between those, then the neighbours outside; its sharpnesses are those of the
-/// edges, then outsideCount others.
+/// edges, then outsideCount others, then under Chaikin's rule those at the edges' far ends.
 struct PatchRing {
     uint32_t firstIndex;
     uint32_t firstSharpness;
@@ -112,6 +112,7 @@ class PatchTable {
     const PatchRing& Ring(uint32_t ring) const { return _rings[ring]; }
     const uint32_t* RingIndices(const PatchRing& ring) const { return &_indices[ring.firstIndex]; }
     RingTags TagsOf(const PatchRing& ring) const;
+    SharpnessDecay Decay() const { return _decay; }
 
     size_t CagePointCount() const { return _cagePointCount; }
     size_t PointCount() const { return _cagePointCount + _stencilEnds.size(); }

@@ -40,6 +40,9 @@ RingPlace RingTable::Add(const CornerRing& ring, int face) {
     std::vector<float> sharpnesses(tags.edgeSharpness.begin(), tags.edgeSharpness.end());
     sharpnesses.insert(sharpnesses.end(), tags.outsideSharpness.begin(),
                        tags.outsideSharpness.end());
+    if (_table->Decay() == SharpnessDecay::Chaikin) {
+        sharpnesses.insert(sharpnesses.end(), tags.farSharpness.begin(), tags.farSharpness.end());
+    }
     const uint32_t index = _table->AddRing(stored, points, sharpnesses);
     for (uint32_t i = 0; i < stored.faceCount; ++i) {
         _places[{vertex, ring.faces[i]}] = {index, i};

@@ -14,13 +14,36 @@ float DecayUniformly(float sharpness) {
 }
 
 /// Chaikin's rule: neighbouring semi-sharp edges pull on each other before sharpness decays.
-float DecayByNeighbors(float sharpness, float semiSharpSum, int semiSharpCount) {
-    if (!IsSemiSharp(sharpness) || semiSharpCount < 2) {
-        return DecayUniformly(sharpness);
-    }
-    const float others = (semiSharpSum - sharpness) / static_cast<float>(semiSharpCount - 1);
-    return std::max(0.75f * sharpness + 0.25f * others - 1, 0.0f);
+/// @param others  their mean sharpness
+float DecayByNeighbors(float sharpness, float others) {
+    return IsSemiSharp(sharpness) ? std::max(0.75f * sharpness + 0.25f * others - 1, 0.0f)
+                                  : DecayUniformly(sharpness);
 }
+
+/// The sharpnesses that pull on each other.
+struct SemiSharpSum {
+    float sum = 0;
+    int count = 0;
+
+    explicit SemiSharpSum(const RingTags& tags) {
+        _Add(tags.edgeSharpness);
+        _Add(tags.outsideSharpness);
+    }
+    float MeanWithout(float sharpness) const {
+        return IsSemiSharp(sharpness) && count > 1
+                   ? (sum - sharpness) / static_cast<float>(count - 1)
+                   : sharpness;
+    }
+
+  private:
+    template <typename Sharpnesses>
+    void _Add(const Sharpnesses& sharpnesses) {
+        for (float s : sharpnesses) {
+            sum += IsSemiSharp(s) ? s : 0;
+            count += IsSemiSharp(s);
+        }
+    }
+};
 
 }  // namespace
 
@@ -67,30 +90,45 @@ bool RingTags::IsRegular(int smoothFaceCount) const {
 }
 
 RingTags RingTags::Decayed() const {
-    float sum = 0;
-    int count = 0;
-    if (decay == SharpnessDecay::Chaikin) {
-        const auto add = [&](const auto& sharpnesses) {
-            for (float s : sharpnesses) {
-                sum += IsSemiSharp(s) ? s : 0;
-                count += IsSemiSharp(s);
-            }
-        };
-        add(edgeSharpness);
-        add(outsideSharpness);
-    }
+    const bool isChaikin = decay == SharpnessDecay::Chaikin;
+    const SemiSharpSum sum(*this);
+    const auto decayedOf = [&](float s) {
+        return isChaikin ? DecayByNeighbors(s, sum.MeanWithout(s)) : DecayUniformly(s);
+    };
     RingTags decayed;
     decayed.isClosed = isClosed;
     decayed.outsideNeighborCount = outsideNeighborCount;
     decayed.decay = decay;
-    for (float s : edgeSharpness) {
-        decayed.edgeSharpness.push_back(DecayByNeighbors(s, sum, count));
+    for (int j = 0; j < static_cast<int>(edgeSharpness.size()); ++j) {
+        const float near = decayedOf(edgeSharpness[j]);
+        decayed.edgeSharpness.push_back(near);
+        if (isChaikin) {
+            // Beyond the edge's middle there is only its other half.
+            const float far = FarDecayed(j);
+            decayed.farSharpness.push_back(IsSemiSharp(far) ? far : near);
+        }
     }
     for (float s : outsideSharpness) {
-        decayed.outsideSharpness.push_back(DecayByNeighbors(s, sum, count));
+        decayed.outsideSharpness.push_back(decayedOf(s));
     }
     decayed.vertexSharpness = DecayUniformly(vertexSharpness);
     return decayed;
+}
+
+float RingTags::FarDecayed(int edge) const {
+    return decay == SharpnessDecay::Chaikin
+               ? DecayByNeighbors(edgeSharpness[edge], farSharpness[edge])
+               : DecayUniformly(edgeSharpness[edge]);
+}
+
+float RingTags::OtherSharpness(int edge) const {
+    return SemiSharpSum(*this).MeanWithout(edgeSharpness[edge]);
+}
+
+float RingTags::EdgeWeight(int edge, const RingTags& decayed) const {
+    const bool staysSharp =
+        IsEnd(edge) || (decayed.edgeSharpness[edge] > 0 && FarDecayed(edge) > 0);
+    return staysSharp ? 1 : edgeSharpness[edge];
 }
 
 float RingTags::FractionalWeight(const RingTags& decayed) const {

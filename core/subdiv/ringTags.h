@@ -25,6 +25,9 @@ struct RingTags {
     Sharpnesses edgeSharpness;  ///< one a face if closed, one more if open
     /// Sharpness of the vertex's edges that are not in an open ring, where it is above 0.
     InlineVector<float, 2> outsideSharpness;
+    /// Under Chaikin's rule, one an edge: the mean sharpness of the other semi-sharp edges at its
+    /// far end, or its own if there are none. The uniform rule does not read it.
+    Sharpnesses farSharpness;
     /// Where the vertex may lie on a crease that the ring does not have whole, the number of that
     /// crease's edges outside. Their far ends follow the ring's own edge neighbours. One if an open
     /// ring begins and ends with the same edge, which has three or more faces; two if a closed ring
@@ -66,10 +69,18 @@ struct RingTags {
 
     /// The tags after a subdivision step.
     RingTags Decayed() const;
+    /// How much an edge point follows the rule of a sharp edge: 1 if wholly, 0 if it is smooth. As
+    /// in OpenSubdiv it is up to 4/3 where one half of the edge loses its sharpness by Chaikin's
+    /// rule at once.
+    float EdgeWeight(int edge, const RingTags& decayed) const;
+    /// The mean sharpness of the semi-sharp edges but one, or that one's if there are no others.
+    float OtherSharpness(int edge) const;
     /// How much of this ring's rule is left in a step that changes it: the mean of the sharpnesses
     /// below 1 that vanish.
     float FractionalWeight(const RingTags& decayed) const;
 
+    /// The sharpness of the half of an edge that is further away, after a step.
+    float FarDecayed(int edge) const;
     /// The two edge neighbours along the crease of a vertex that follows its rule.
     void CreaseEdges(int edges[2]) const;
 };

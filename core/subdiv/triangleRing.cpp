@@ -40,7 +40,7 @@ TriangleRing TriangleRing::Subdivide() const {
     TriangleRing child;
     static_cast<RingTags&>(child) = Decayed();
     for (int j = 0; j < static_cast<int>(edges.size()); ++j) {
-        child.edges.push_back(_EdgePoint(j));
+        child.edges.push_back(_EdgePoint(j, EdgeWeight(j, child)));
     }
     child.center = _VertexPoint(*this);
     if (VertexRule() != child.VertexRule()) {
@@ -50,14 +50,13 @@ TriangleRing TriangleRing::Subdivide() const {
     return child;
 }
 
-Vec3f TriangleRing::_EdgePoint(int edge) const {
+Vec3f TriangleRing::_EdgePoint(int edge, float sharpness) const {
     const Vec3f ends = center + edges[edge];
-    const float s = edgeSharpness[edge];
-    if (IsEnd(edge) || s >= 1) {
+    if (sharpness == 1) {
         return ends * 0.5f;
     }
     const Vec3f smooth = ends * 0.375f + (edges[Wrap(edge - 1)] + edges[Wrap(edge + 1)]) * 0.125f;
-    return s > 0 ? smooth * (1 - s) + ends * (0.5f * s) : smooth;
+    return sharpness > 0 ? smooth * (1 - sharpness) + ends * (0.5f * sharpness) : smooth;
 }
 
 /// @param tags  whose rule to follow: this ring's, or those of a step later

@@ -36,7 +36,7 @@ struct TriangleRing : RingTags {
     void Translate(const Vec3f& by);
 
   private:
-    Vec3f _EdgePoint(int edge) const;
+    Vec3f _EdgePoint(int edge, float sharpness) const;
     Vec3f _VertexPoint(const RingTags& tags) const;
     Vec3f _EdgeSum() const;
     Vec3f _TangentAcrossCrease() const;

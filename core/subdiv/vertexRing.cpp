@@ -17,7 +17,7 @@ VertexRing VertexRing::Subdivide() const {
                                   0.25f);
     }
     for (int j = 0; j < static_cast<int>(edges.size()); ++j) {
-        child.edges.push_back(_EdgePoint(j, child.diagonals));
+        child.edges.push_back(_EdgePoint(j, EdgeWeight(j, child), child.diagonals));
     }
     child.center = _VertexPoint(*this, child.diagonals);
     if (VertexRule() != child.VertexRule()) {
@@ -27,16 +27,15 @@ VertexRing VertexRing::Subdivide() const {
     return child;
 }
 
-Vec3f VertexRing::_EdgePoint(int edge, const Diagonals& facePoints) const {
+Vec3f VertexRing::_EdgePoint(int edge, float sharpness, const Diagonals& facePoints) const {
     const Vec3f middle = (center + edges[edge]) * 0.5f;
-    if (IsEnd(edge) || edgeSharpness[edge] >= 1) {
+    if (sharpness == 1) {
         return middle;
     }
     const Vec3f& left = facePoints[edge];
     const Vec3f& right = facePoints[Wrap(edge - 1)];
     const Vec3f smooth = ((center + edges[edge]) + (left + right)) * 0.25f;
-    const float s = edgeSharpness[edge];
-    return s > 0 ? smooth * (1 - s) + middle * s : smooth;
+    return sharpness > 0 ? smooth * (1 - sharpness) + middle * sharpness : smooth;
 }
 
 /// @param tags  whose rule to follow: this ring's, or those of a step later

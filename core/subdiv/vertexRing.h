@@ -37,7 +37,7 @@ struct VertexRing : RingTags {
   private:
     Vec3f _SmoothTangent(int towardsEdge) const;
     Vec3f _TangentAcrossCrease() const;
-    Vec3f _EdgePoint(int edge, const Diagonals& facePoints) const;
+    Vec3f _EdgePoint(int edge, float sharpness, const Diagonals& facePoints) const;
     Vec3f _VertexPoint(const RingTags& tags, const Diagonals& facePoints) const;
 };
 

@@ -283,12 +283,16 @@ class CageBuilder {
     Cage _tags;
 };
 
+/// Any number below a count. RapidCheck by itself takes small ones only, until its size is 100.
+rc::Gen<int> Below(int count) {
+    return rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, count));
+}
+
 /// One of some values, of which shrinking prefers the first.
 template <typename T>
 rc::Gen<T> OneOf(std::vector<T> values) {
     const int count = static_cast<int>(values.size());
-    return rc::gen::map(rc::gen::inRange(0, count),
-                        [values = std::move(values)](int i) { return values[i]; });
+    return rc::gen::map(Below(count), [values = std::move(values)](int i) { return values[i]; });
 }
 
 rc::Gen<CageStep> Steps() {
@@ -300,19 +304,19 @@ rc::Gen<CageStep> Steps() {
         C::RemoveFace,   C::AddPiece,  C::JoinPoints,  C::MergePoints, C::RepeatFace,
         C::CollapseEdge, C::AddPoint,  C::Crease,      C::Crease,      C::Crease,
         C::Crease,       C::Crease,    C::Corner,      C::Corner,      C::Hole};
+    // Not up to 10: features of a size of 2^-10 have normals that floats cannot tell to 0.05
+    // degrees.
     return rc::gen::build<CageStep>(
-        rc::gen::set(&CageStep::change, OneOf(changes)),
-        rc::gen::set(&CageStep::a, rc::gen::inRange(0, 97)),
-        rc::gen::set(&CageStep::b, rc::gen::inRange(0, 97)),
-        rc::gen::set(&CageStep::c, rc::gen::inRange(0, 97)),
+        rc::gen::set(&CageStep::change, OneOf(changes)), rc::gen::set(&CageStep::a, Below(97)),
+        rc::gen::set(&CageStep::b, Below(97)), rc::gen::set(&CageStep::c, Below(97)),
         rc::gen::set(&CageStep::sharpness,
-                     OneOf<float>({10, 1, 2, 0.5f, 0.3f, 1.5f, 2.7f, 4, 25, 6.8f, 9.9f})));
+                     OneOf<float>({10, 1, 2, 0.5f, 0.3f, 1.5f, 2.7f, 4, 25, 6.8f})));
 }
 
 rc::Gen<CageRecipe> Recipes() {
     return rc::gen::build<CageRecipe>(
-        rc::gen::set(&CageRecipe::shape, rc::gen::inRange(0, kShapes)),
-        rc::gen::set(&CageRecipe::size, rc::gen::inRange(0, 20)),
+        rc::gen::set(&CageRecipe::shape, Below(kShapes)),
+        rc::gen::set(&CageRecipe::size, Below(20)),
         rc::gen::set(&CageRecipe::boundaryRule,
                      OneOf<BoundaryRule>({BoundaryRule::EdgeAndCorner, BoundaryRule::EdgeOnly,
                                           BoundaryRule::None})),

@@ -14,6 +14,26 @@ Cage ThreeChaikinCreases() {
     return cage;
 }
 
+/// Under Chaikin's rule weak edges stay sharp where they meet strong ones, and strong ones soften
+/// where they meet weak ones. Ours are Far's surfaces; Bfr has others beside such edges.
+Cage UnevenChaikinCrease() {
+    Cage cage = Named(Cube(), "uneven Chaikin crease");
+    cage.mesh.creaseIndices = {0, 2, 3, 1, 5};
+    cage.mesh.creaseLengths = {5};
+    cage.mesh.creaseSharpnesses = {0.5f, 2.7f, 1.1f, 0.1f};
+    cage.mesh.creaseRule = CreaseRule::Chaikin;
+    return cage;
+}
+
+Cage ChaikinCreaseBySteps() {
+    Cage cage = Named(Sheet(2), "Chaikin crease by steps");
+    cage.mesh.creaseIndices = {0, 1, 4, 3};
+    cage.mesh.creaseLengths = {4};
+    cage.mesh.creaseSharpnesses = {10, 5, 3.3f};
+    cage.mesh.creaseRule = CreaseRule::Chaikin;
+    return cage;
+}
+
 /// Bfr does not see on the faces beside the fin's edge that it sharpens the vertices at its ends.
 Cage TetrahedronWithFin() {
     Cage cage = Named(Tetrahedron(), "tetrahedron with a fin");
@@ -60,6 +80,8 @@ Cage CreaseWithTouchingFan() {
 
 std::vector<Cage> KnownDifferences() {
     return {ThreeChaikinCreases(),
+            UnevenChaikinCrease(),
+            ChaikinCreaseBySteps(),
             TetrahedronWithFin(),
             CreaseWithTubes(),
             WithCrease(CreaseWithTubes(), {0, 6}, 0.7f, "tubes with a crease of 0.7"),
