@@ -4,9 +4,12 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <memory>
 
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
+
+#include "core/math/float4.h"
 
 namespace cc {
 namespace {
@@ -14,30 +17,121 @@ namespace {
 constexpr int kBinCount = 16;
 /// Ranges below this are built by one thread.
 constexpr size_t kParallelThreshold = 4096;
+/// Ranges from this on are put into bins by all threads.
+constexpr size_t kParallelBinThreshold = 1 << 16;
 /// From this depth on ranges are halved, so that no scene makes the tree deeper than kBvhMaxDepth.
 constexpr int kMaxHeuristicDepth = kBvhMaxDepth / 2;
 
-struct Primitive {
-    Box3f box;
-    Vec3f center;
+/// Trees of fewer nodes are refitted by one thread.
+constexpr size_t kParallelRefitThreshold = 64;
+/// A tree that costs more than it did when it was built, times this, is built anew.
+constexpr double kWorstRefitCost = 1.3;
+
+struct alignas(16) Primitive {
+    Vec3f lower;
     uint32_t index;
+    Vec3f upper;
+
+    BoxFloat4 Box() const { return {ToFloat4(lower), ToFloat4(upper)}; }
+    Float4 Center() const { return (ToFloat4(lower) + ToFloat4(upper)) * 0.5f; }
 };
 
 struct Range {
     size_t begin, end;
-    Box3f box, centerBox;
+    BoxFloat4 box, centerBox;
 
     size_t Size() const { return end - begin; }
 };
 
-/// A node of the tree while it grows: its own children, then those of the inner ones.
-struct BuildNode {
-    int count = 0;
-    Box3f boxes[kBvhWidth];
-    uint32_t leaves[kBvhWidth];
-    std::unique_ptr<BuildNode> children[kBvhWidth];
-    size_t nodeCount = 1;
+struct Bin {
+    BoxFloat4 box;
+    size_t count = 0;
+
+    void Extend(const Bin& bin) {
+        box.Extend(bin.box);
+        count += bin.count;
+    }
 };
+
+/// The bins of a range along each axis, by the centres of primitives.
+class Bins {
+  public:
+    explicit Bins(const Range& range)
+        : _lower(range.centerBox.lower), _width(range.centerBox.upper - _lower) {
+        // Along a flat axis all primitives are in the first bin.
+        _width = _width > 0 ? _width : Float4{1, 1, 1, 1};
+    }
+
+    /// The bin of a centre along each axis.
+    Int4 Find(const Float4& center) const {
+        const Float4 position = (center - _lower) / _width * static_cast<float>(kBinCount);
+        const Int4 bin = __builtin_convertvector(position, Int4);
+        return bin < kBinCount ? bin : kBinCount - 1;
+    }
+
+    void Add(const Primitive& primitive) {
+        const BoxFloat4 box = primitive.Box();
+        const Int4 place = Find(primitive.Center());
+        for (int axis = 0; axis < 3; ++axis) {
+            Bin& bin = _bins[axis][place[axis]];
+            bin.box.Extend(box);
+            ++bin.count;
+        }
+    }
+    void Add(const Bins& other) {
+        for (int axis = 0; axis < 3; ++axis) {
+            for (int b = 0; b < kBinCount; ++b) {
+                _bins[axis][b].Extend(other._bins[axis][b]);
+            }
+        }
+    }
+
+    const std::array<Bin, kBinCount>& Along(int axis) const { return _bins[axis]; }
+
+  private:
+    Float4 _lower, _width;
+    std::array<Bin, kBinCount> _bins[3];
+};
+
+/// Quantizes the bounds of all children along one axis.
+void QuantizeAxis(const std::array<Box3f, kBvhWidth>& boxes, int axis, BvhNode* node) {
+    float lowest = boxes[0].lower[axis], highest = boxes[0].upper[axis];
+    for (int i = 1; i < node->childCount; ++i) {
+        lowest = std::min(lowest, boxes[i].lower[axis]);
+        highest = std::max(highest, boxes[i].upper[axis]);
+    }
+    // The smallest power of two whose 255 steps reach across, also after rounding.
+    int exponent =
+        std::ilogb(std::max((highest - lowest) / 255, std::numeric_limits<float>::min()));
+    float scale = std::ldexp(1.0f, exponent);
+    while (lowest + 255 * scale < highest) {
+        scale *= 2;
+        ++exponent;
+    }
+    const float inverse = std::ldexp(1.0f, -exponent);
+    node->origin[axis] = lowest;
+    node->scale[axis] = scale;
+    for (int i = 0; i < node->childCount; ++i) {
+        const float lower = boxes[i].lower[axis], upper = boxes[i].upper[axis];
+        int low = std::clamp(static_cast<int>((lower - lowest) * inverse), 0, 255);
+        while (low > 0 && lowest + scale * static_cast<float>(low) > lower) {
+            --low;
+        }
+        int high = std::clamp(static_cast<int>((upper - lowest) * inverse), 0, 255);
+        while (high < 255 && lowest + scale * static_cast<float>(high) < upper) {
+            ++high;
+        }
+        node->lower[axis][i] = static_cast<uint8_t>(low);
+        node->upper[axis][i] = static_cast<uint8_t>(high);
+    }
+}
+
+/// Writes the boxes of a node's children.
+void Quantize(const std::array<Box3f, kBvhWidth>& boxes, BvhNode* node) {
+    for (int axis = 0; axis < 3; ++axis) {
+        QuantizeAxis(boxes, axis, node);
+    }
+}
 
 class Builder {
   public:
@@ -46,56 +140,88 @@ class Builder {
     Range Measure(size_t begin, size_t end) const {
         Range range{begin, end, {}, {}};
         for (size_t i = begin; i < end; ++i) {
-            range.box.Extend(_primitives[i].box);
-            range.centerBox.Extend(_primitives[i].center);
+            range.box.Extend(_primitives[i].Box());
+            range.centerBox.Extend(_primitives[i].Center());
         }
         return range;
     }
 
-    /// Makes the node of a range: ranges that fit into a node of leaves each, or as many as there
-    /// are slots; then leaves of what is left of the slots.
-    std::unique_ptr<BuildNode> Build(const Range& root, int depth) {
+    /// Appends the node of a range and all below it.
+    void Build(const Range& root, int depth, std::vector<BvhNode>* nodes) {
         std::array<Range, kBvhWidth> ranges;
-        ranges[0] = root;
-        int count = 1;
-        // The widest first, until all are small.
-        while (count < kBvhWidth) {
-            const int widest = _WidestRange(ranges, count);
-            if (widest < 0) {
-                break;
-            }
-            _SplitInto(&ranges, &count, widest, depth);
-        }
-        // A small range needs a node of its own: spare those that the free slots can hold.
-        for (int i = _SmallestRange(ranges, count);
-             i >= 0 && count + static_cast<int>(ranges[i].Size()) - 1 <= kBvhWidth;
-             i = _SmallestRange(ranges, count)) {
-            _Scatter(&ranges, &count, i);
-        }
-        auto node = std::make_unique<BuildNode>();
-        node->count = count;
-        const auto buildChild = [&](int i) {
-            node->boxes[i] = ranges[i].box;
+        const int count = _Partition(root, depth, &ranges);
+        BvhNode node{};
+        node.childCount = count;
+        std::array<Box3f, kBvhWidth> boxes;
+        for (int i = 0; i < count; ++i) {
+            boxes[i] = ranges[i].box.ToBox3f();
             if (ranges[i].Size() == 1) {
-                node->leaves[i] = kBvhLeaf | _primitives[ranges[i].begin].index;
-            } else {
-                node->children[i] = Build(ranges[i], depth + 1);
+                node.child[i] = kBvhLeaf | _primitives[ranges[i].begin].index;
             }
-        };
+        }
+        Quantize(boxes, &node);
+        const size_t index = nodes->size();
+        nodes->push_back(node);
         if (root.Size() >= kParallelThreshold) {
-            tbb::parallel_for(0, count, buildChild);
-        } else {
-            for (int i = 0; i < count; ++i) {
-                buildChild(i);
-            }
+            _BuildChildrenInParallel(ranges, count, depth, index, nodes);
+            return;
         }
         for (int i = 0; i < count; ++i) {
-            node->nodeCount += node->children[i] ? node->children[i]->nodeCount : 0;
+            if (ranges[i].Size() > 1) {
+                (*nodes)[index].child[i] = static_cast<uint32_t>(nodes->size());
+                Build(ranges[i], depth + 1, nodes);
+            }
         }
-        return node;
     }
 
   private:
+    /// Divides the range of a node: into ranges that fit into a node of leaves each, or as many as
+    /// there are slots; then into leaves what is left of the slots. Returns how many they are.
+    int _Partition(const Range& root, int depth, std::array<Range, kBvhWidth>* ranges) {
+        (*ranges)[0] = root;
+        int count = 1;
+        // The widest first, until all are small.
+        while (count < kBvhWidth) {
+            const int widest = _WidestRange(*ranges, count);
+            if (widest < 0) {
+                break;
+            }
+            _SplitInto(ranges, &count, widest, depth);
+        }
+        // A small range needs a node of its own: spare those that the free slots can hold.
+        for (int i = _SmallestRange(*ranges, count);
+             i >= 0 && count + static_cast<int>((*ranges)[i].Size()) - 1 <= kBvhWidth;
+             i = _SmallestRange(*ranges, count)) {
+            _Scatter(ranges, &count, i);
+        }
+        return count;
+    }
+
+    /// Builds the nodes below a node apart, then appends them in the order of the slots.
+    void _BuildChildrenInParallel(const std::array<Range, kBvhWidth>& ranges, int count, int depth,
+                                  size_t index, std::vector<BvhNode>* nodes) {
+        std::array<std::vector<BvhNode>, kBvhWidth> parts;
+        tbb::parallel_for(0, count, [&](int i) {
+            if (ranges[i].Size() > 1) {
+                Build(ranges[i], depth + 1, &parts[i]);
+            }
+        });
+        for (int i = 0; i < count; ++i) {
+            if (parts[i].empty()) {
+                continue;
+            }
+            const auto first = static_cast<uint32_t>(nodes->size());
+            (*nodes)[index].child[i] = first;
+            for (BvhNode& node : parts[i]) {
+                for (int slot = 0; slot < node.childCount; ++slot) {
+                    node.child[slot] += node.child[slot] & kBvhLeaf ? 0 : first;
+                }
+            }
+            nodes->insert(nodes->end(), parts[i].begin(), parts[i].end());
+            parts[i] = {};
+        }
+    }
+
     /// The range of the largest box among those too large for a node of leaves, or -1.
     static int _WidestRange(const std::array<Range, kBvhWidth>& ranges, int count) {
         int widest = -1;
@@ -137,49 +263,49 @@ class Builder {
         }
     }
 
-    struct Bin {
-        Box3f box;
-        size_t count = 0;
-    };
-
-    static int _BinOf(const Range& range, int axis, const Vec3f& center) {
-        const float width = range.centerBox.upper[axis] - range.centerBox.lower[axis];
-        const float position = (center[axis] - range.centerBox.lower[axis]) / width;
-        return std::min(kBinCount - 1, static_cast<int>(position * kBinCount));
-    }
-
     struct Plane {
         int axis = -1;
         int bin = 0;  ///< the first bin on the right
         float cost = std::numeric_limits<float>::infinity();
     };
 
+    Bins _FillBins(const Range& range) const {
+        const auto add = [&](const tbb::blocked_range<size_t>& part, Bins bins) {
+            for (size_t i = part.begin(); i < part.end(); ++i) {
+                bins.Add(_primitives[i]);
+            }
+            return bins;
+        };
+        const tbb::blocked_range<size_t> all(range.begin, range.end, kParallelThreshold);
+        if (range.Size() < kParallelBinThreshold) {
+            return add(all, Bins(range));
+        }
+        return tbb::parallel_reduce(all, Bins(range), add, [](Bins a, const Bins& b) {
+            a.Add(b);
+            return a;
+        });
+    }
+
     /// The cheapest plane between bins of one axis.
-    void _TryAxis(const Range& range, int axis, Plane* best) const {
+    static void _TryAxis(const Range& range, const Bins& allBins, int axis, Plane* best) {
         if (!(range.centerBox.upper[axis] > range.centerBox.lower[axis])) {
             return;
         }
-        std::array<Bin, kBinCount> bins;
-        for (size_t i = range.begin; i < range.end; ++i) {
-            Bin& bin = bins[_BinOf(range, axis, _primitives[i].center)];
-            bin.box.Extend(_primitives[i].box);
-            ++bin.count;
-        }
+        const std::array<Bin, kBinCount>& bins = allBins.Along(axis);
         std::array<float, kBinCount> leftCost{};
         Bin left;
         for (int b = 0; b + 1 < kBinCount; ++b) {
-            left.box.Extend(bins[b].box);
-            left.count += bins[b].count;
-            leftCost[b + 1] = left.count > 0 ? left.box.HalfArea() * left.count : 0;
+            left.Extend(bins[b]);
+            leftCost[b + 1] =
+                left.count > 0 ? left.box.HalfArea() * static_cast<float>(left.count) : 0;
         }
         Bin right;
         for (int b = kBinCount - 1; b > 0; --b) {
-            right.box.Extend(bins[b].box);
-            right.count += bins[b].count;
+            right.Extend(bins[b]);
             if (right.count == 0 || right.count == range.Size()) {
                 continue;
             }
-            const float cost = leftCost[b] + right.box.HalfArea() * right.count;
+            const float cost = leftCost[b] + right.box.HalfArea() * static_cast<float>(right.count);
             if (cost < best->cost) {
                 *best = {axis, b, cost};
             }
@@ -189,15 +315,19 @@ class Builder {
     /// Reorders a range's primitives; returns where its right part begins.
     size_t _Split(const Range& range, int depth) {
         Plane plane;
-        for (int axis = 0; axis < 3 && depth < kMaxHeuristicDepth; ++axis) {
-            _TryAxis(range, axis, &plane);
+        if (depth >= kMaxHeuristicDepth) {
+            return range.begin + range.Size() / 2;
+        }
+        const Bins bins = _FillBins(range);
+        for (int axis = 0; axis < 3; ++axis) {
+            _TryAxis(range, bins, axis, &plane);
+        }
+        if (plane.axis < 0) {
+            return range.begin + range.Size() / 2;  // all centres coincide
         }
         const auto begin = _primitives.begin() + range.begin, end = _primitives.begin() + range.end;
-        if (plane.axis < 0) {
-            return range.begin + range.Size() / 2;  // too deep, or all centres coincide
-        }
         const auto middle = std::partition(begin, end, [&](const Primitive& p) {
-            return _BinOf(range, plane.axis, p.center) < plane.bin;
+            return bins.Find(p.Center())[plane.axis] < plane.bin;
         });
         return middle - _primitives.begin();
     }
@@ -205,53 +335,82 @@ class Builder {
     std::vector<Primitive>& _primitives;
 };
 
-/// Quantizes the bounds of all children along one axis.
-void QuantizeAxis(const BuildNode& from, int axis, BvhNode* node) {
-    float lowest = from.boxes[0].lower[axis], highest = from.boxes[0].upper[axis];
-    for (int i = 1; i < from.count; ++i) {
-        lowest = std::min(lowest, from.boxes[i].lower[axis]);
-        highest = std::max(highest, from.boxes[i].upper[axis]);
+/// Brings the boxes of a tree up to date, children first.
+class Refitter {
+  public:
+    Refitter(const std::vector<Box3f>& primitives, std::vector<BvhNode>* nodes)
+        : _primitives(primitives), _nodes(*nodes), _boxes(nodes->size()) {}
+
+    /// Returns the root's box.
+    Box3f Refit() {
+        _RefitTree(0, _nodes.size());
+        return _boxes.front();
     }
-    // The smallest power of two whose 255 steps reach across, also after rounding.
-    int exponent =
-        std::ilogb(std::max((highest - lowest) / 255, std::numeric_limits<float>::min()));
-    while (lowest + std::ldexp(255.0f, exponent) < highest) {
-        ++exponent;
-    }
-    const float scale = std::ldexp(1.0f, exponent);
-    node->origin[axis] = lowest;
-    node->scale[axis] = scale;
-    for (int i = 0; i < from.count; ++i) {
-        const float lower = from.boxes[i].lower[axis], upper = from.boxes[i].upper[axis];
-        int low = std::clamp(static_cast<int>((lower - lowest) / scale), 0, 255);
-        while (low > 0 && lowest + scale * static_cast<float>(low) > lower) {
-            --low;
+
+  private:
+    /// @param end  the first node behind those below the node
+    void _RefitTree(size_t index, size_t end) {
+        if (end - index < kParallelRefitThreshold) {
+            for (size_t i = end; i-- > index;) {
+                _RefitNode(i);
+            }
+            return;
         }
-        int high = std::clamp(static_cast<int>((upper - lowest) / scale), 0, 255);
-        while (high < 255 && lowest + scale * static_cast<float>(high) < upper) {
-            ++high;
+        const BvhNode& node = _nodes[index];
+        std::array<size_t, kBvhWidth + 1> first;
+        int count = 0;
+        for (int slot = 0; slot < node.childCount; ++slot) {
+            if (!(node.child[slot] & kBvhLeaf)) {
+                first[count++] = node.child[slot];
+            }
         }
-        node->lower[axis][i] = static_cast<uint8_t>(low);
-        node->upper[axis][i] = static_cast<uint8_t>(high);
+        first[count] = end;
+        tbb::parallel_for(0, count, [&](int i) { _RefitTree(first[i], first[i + 1]); });
+        _RefitNode(index);
     }
+
+    void _RefitNode(size_t index) {
+        BvhNode& node = _nodes[index];
+        std::array<Box3f, kBvhWidth> boxes;
+        Box3f all;
+        for (int slot = 0; slot < node.childCount; ++slot) {
+            const uint32_t child = node.child[slot];
+            boxes[slot] = child & kBvhLeaf ? _primitives[child & ~kBvhLeaf] : _boxes[child];
+            all.Extend(boxes[slot]);
+        }
+        Quantize(boxes, &node);
+        _boxes[index] = all;
+    }
+
+    const std::vector<Box3f>& _primitives;
+    std::vector<BvhNode>& _nodes;
+    std::vector<Box3f> _boxes;
+};
+
+float HalfArea(const BvhNode& node) {
+    Box3f box;
+    for (int axis = 0; axis < 3; ++axis) {
+        const uint8_t highest =
+            *std::max_element(node.upper[axis], node.upper[axis] + node.childCount);
+        box.lower[axis] = node.origin[axis];
+        box.upper[axis] = node.origin[axis] + node.scale[axis] * static_cast<float>(highest);
+    }
+    return box.HalfArea();
 }
 
-/// Copies the tree into the array, a node before its children.
-void Flatten(const BuildNode& from, std::vector<BvhNode>* nodes) {
-    const size_t index = nodes->size();
-    nodes->emplace_back();
-    BvhNode node{};
-    node.childCount = from.count;
-    for (int axis = 0; axis < 3; ++axis) {
-        QuantizeAxis(from, axis, &node);
+/// How many nodes a random line through the root's box meets: what the surface area heuristic
+/// keeps small.
+double TraversalCost(const std::vector<BvhNode>& nodes) {
+    double area = 0;
+    for (const BvhNode& node : nodes) {
+        area += HalfArea(node);
     }
-    for (int i = 0; i < from.count; ++i) {
-        node.child[i] = from.children[i] ? static_cast<uint32_t>(nodes->size()) : from.leaves[i];
-        if (from.children[i]) {
-            Flatten(*from.children[i], nodes);
-        }
-    }
-    (*nodes)[index] = node;
+    return area > 0 ? area / HalfArea(nodes.front()) : 0;
+}
+
+size_t CountFull(const std::vector<Box3f>& boxes) {
+    return static_cast<size_t>(
+        std::count_if(boxes.begin(), boxes.end(), [](const Box3f& box) { return !box.IsEmpty(); }));
 }
 
 }  // namespace
@@ -265,23 +424,35 @@ Box3f BvhNode::ChildBox(int slot) const {
     return box;
 }
 
-Bvh::Bvh(const std::vector<Box3f>& boxes) {
+Bvh::Bvh(const std::vector<Box3f>& boxes) : _primitiveCount(CountFull(boxes)) {
+    if (_primitiveCount == 0) {
+        return;
+    }
     std::vector<Primitive> primitives;
-    primitives.reserve(boxes.size());
+    primitives.reserve(_primitiveCount);
     for (size_t i = 0; i < boxes.size(); ++i) {
         if (!boxes[i].IsEmpty()) {
-            primitives.push_back({boxes[i], boxes[i].Center(), static_cast<uint32_t>(i)});
+            primitives.push_back({boxes[i].lower, static_cast<uint32_t>(i), boxes[i].upper});
         }
-    }
-    if (primitives.empty()) {
-        return;
     }
     Builder builder(&primitives);
     const Range root = builder.Measure(0, primitives.size());
-    const std::unique_ptr<BuildNode> tree = builder.Build(root, 0);
-    _bounds = root.box;
-    _nodes.reserve(tree->nodeCount);
-    Flatten(*tree, &_nodes);
+    builder.Build(root, 0, &_nodes);
+    _nodes.shrink_to_fit();
+    _bounds = root.box.ToBox3f();
+    _builtCost = TraversalCost(_nodes);
+}
+
+void Bvh::Move(const std::vector<Box3f>& boxes) {
+    const bool hasAll = _primitiveCount == boxes.size() && CountFull(boxes) == boxes.size();
+    if (_nodes.empty() || !hasAll) {
+        *this = Bvh(boxes);
+        return;
+    }
+    _bounds = Refitter(boxes, &_nodes).Refit();
+    if (!(TraversalCost(_nodes) <= kWorstRefitCost * _builtCost)) {
+        *this = Bvh(boxes);
+    }
 }
 
 }  // namespace cc

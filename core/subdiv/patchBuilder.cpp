@@ -247,6 +247,9 @@ void AddPolygons(const ControlMesh& mesh, PatchTable* table) {
 }  // namespace
 
 void CutPolygons(const std::vector<Vec3f>& points, PatchTable* table) {
+    if (table->Count() == 0 || table->At(0).kind != PatchKind::FlatTriangle) {
+        return;
+    }
     uint32_t end = 0;
     for (uint32_t first = 0; first < table->Count(); first = end) {
         const uint32_t face = table->AuthoredFace(first);
@@ -254,7 +257,7 @@ void CutPolygons(const std::vector<Vec3f>& points, PatchTable* table) {
         while (end < table->Count() && table->AuthoredFace(end) == face) {
             ++end;
         }
-        if (table->At(first).kind != PatchKind::FlatTriangle || end - first < 2) {
+        if (end - first < 2) {
             continue;
         }
         std::vector<uint32_t> corners(end - first + 2);

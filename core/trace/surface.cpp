@@ -28,9 +28,10 @@ void SnapToLattice(std::vector<Vec3f>* points) {
     const auto snap = [&](float x) {
         return static_cast<float>(std::nearbyint(x * inverse) * step);
     };
-    for (Vec3f& p : *points) {
+    tbb::parallel_for(size_t(0), points->size(), [&](size_t i) {
+        Vec3f& p = (*points)[i];
         p = {snap(p.x), snap(p.y), snap(p.z)};
-    }
+    });
 }
 
 }  // namespace
@@ -50,7 +51,7 @@ void Surface::SetPoints(const std::vector<Vec3f>& points) {
     tbb::parallel_for(size_t(0), boxes.size(), [&](size_t i) {
         boxes[i] = LookAheadBounds(_patches, static_cast<uint32_t>(i), _patchPoints.data());
     });
-    _bvh = Bvh(boxes);
+    _bvh.Move(boxes);
 }
 
 const Tessellation& Surface::TessellationAt(int level) const {

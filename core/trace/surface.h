@@ -23,7 +23,8 @@ class Surface {
     /// topology that cannot be used, gives a surface without patches, which no ray hits.
     Surface(const ControlMesh& mesh, const std::vector<Vec3f>& points);
 
-    /// Moves the control points, as many as before: patches stay, bounds and BVH are made anew.
+    /// Moves the control points, as many as before: patches stay, bounds are made anew, and the BVH
+    /// follows them (Bvh::Move).
     void SetPoints(const std::vector<Vec3f>& points);
 
     /// Why the topology cannot be used; empty if it can.

@@ -109,6 +109,40 @@ TEST_P(TracerTest, SingleRaysAgreeWithPackets) {
     }
 }
 
+/// Points on a wave that runs through them.
+std::vector<Vec3f> Rippled(std::vector<Vec3f> points, float height) {
+    for (Vec3f& p : points) {
+        p.y += height * std::sin(3 * (p.x + p.z));
+    }
+    return points;
+}
+
+TEST_P(TracerTest, HitsAfterAnEditAreThoseOfAFreshBuild) {
+    for (float height : {0.02f, 0.7f}) {
+        Cage cage = GetParam();
+        TracedCage edited(cage);
+        cage.points = Rippled(cage.points, height);
+        edited.surface->SetPoints(cage.points);
+        edited.world = InstanceBvh(edited.world.Instances());
+        const TracedCage fresh(cage);
+        const std::unique_ptr<Tracer> tracer = MakeTracer(TracerKind::Packet, 4);
+        std::mt19937 random(7);
+        TraceStatistics statistics;
+        for (int n = 0; n < 20; ++n) {
+            RayPacket rays =
+                CameraPacket(fresh.surface->Bounds(), {0.9f, -0.5f, 0.7f}, 0.3f, &random);
+            RayPacket again = rays;
+            HitPacket hits, hitsAgain;
+            tracer->Intersect(edited.world, &rays, &hits, &statistics);
+            tracer->Intersect(fresh.world, &again, &hitsAgain, &statistics);
+            for (int i = 0; i < rays.count; ++i) {
+                EXPECT_EQ(hits.instance[i], hitsAgain.instance[i]);
+                EXPECT_EQ(rays.tMax[i], again.tMax[i]);
+            }
+        }
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Catalogue, TracerTest, testing::ValuesIn(Catalogue()), TestName);
 
 /// Triangles of the Loop scheme, regular and irregular, with tags that part them.
