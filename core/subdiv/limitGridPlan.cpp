@@ -128,7 +128,7 @@ LimitGridPlan MakePlan(const PatchTable& patches, uint32_t patch, std::vector<Ve
 /// The plan of an extraordinary patch whose points are all different.
 LimitGridPlan MakePlanOfValence(int valence) {
     ExtraordinaryPatch::Points values;
-    values.assign(static_cast<size_t>(2 * valence + 8), Vec3f{});
+    values.assign(2 * static_cast<size_t>(valence) + 8, Vec3f{});
     std::vector<uint16_t> picks(values.size());
     std::iota(picks.begin(), picks.end(), uint16_t(0));
     std::vector<float> weights(picks.size() * LimitGridPlan::kWeightCount, 0.0f);

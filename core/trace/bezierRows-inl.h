@@ -63,7 +63,9 @@ struct BezierConversion {
         constexpr int kCurve[4][4] = {{1, 4, 1, 0}, {0, 4, 2, 0}, {0, 2, 4, 0}, {0, 1, 4, 1}};
         for (int from = 0; from < 16; ++from) {
             for (int to = 0; to < 16; ++to) {
-                weights[from][to] = kCurve[to / 4][from / 4] * kCurve[to % 4][from % 4];
+                const int row = to / 4, column = to % 4;
+                const int fromRow = from / 4, fromColumn = from % 4;
+                weights[from][to] = kCurve[row][fromRow] * kCurve[column][fromColumn];
             }
         }
     }
