@@ -164,6 +164,12 @@ std::string CheckPlanes(int width, int height, const std::vector<ImagePlane>& pl
     return {};
 }
 
+void SignFile(OIIO::ImageSpec* spec) {
+    spec->attribute("Software", "hdCC");
+    // Left out, it is the time of day, and no two files are alike.
+    spec->attribute("DateTime", "");
+}
+
 OIIO::ImageSpec MakeExrSpec(int width, int height, const std::vector<Channel>& channels) {
     OIIO::ImageSpec spec(width, height, static_cast<int>(channels.size()), OIIO::TypeFloat);
     spec.channelnames.clear();
@@ -178,13 +184,13 @@ OIIO::ImageSpec MakeExrSpec(int width, int height, const std::vector<Channel>& c
         }
     }
     spec.attribute("compression", "zip");
-    spec.attribute("Software", "hdCC");
+    SignFile(&spec);
     return spec;
 }
 
 OIIO::ImageSpec MakeDisplaySpec(int width, int height, int channelCount) {
     OIIO::ImageSpec spec(width, height, channelCount, OIIO::TypeUInt8);
-    spec.attribute("Software", "hdCC");
+    SignFile(&spec);
     // Colours are divided by alpha already.
     spec.attribute("oiio:UnassociatedAlpha", 1);
     return spec;

@@ -115,7 +115,7 @@ TEST_F(ImageFile, HalfDoesNotOverflow) {
     EXPECT_EQ(Read(path).At(0, 0, "G"), -65504);
 }
 
-TEST_F(ImageFile, TheSamePictureIsTheSameFile) {
+TEST_F(ImageFile, TheSamePictureIsTheSameFileAtAnyTime) {
     const std::vector<float> color = Floats(4);
     const auto bytes = [&](const std::string& name) {
         EXPECT_EQ(WriteImage(_Path(name), kWidth, kHeight, {Plane("color", 4, color)}), "");
@@ -125,6 +125,10 @@ TEST_F(ImageFile, TheSamePictureIsTheSameFile) {
     const std::string first = bytes("first.exr");
     EXPECT_FALSE(first.empty());
     EXPECT_EQ(first, bytes("second.exr"));
+    for (const char* name : {"first.exr", "a.png", "a.tif"}) {
+        bytes(name);
+        EXPECT_EQ(Read(_Path(name)).spec.get_string_attribute("DateTime"), "") << name;
+    }
 }
 
 TEST_F(ImageFile, DisplayFormatsTakeTheColor) {
