@@ -55,22 +55,23 @@ void AppendRay(const Vec3f& origin, const Vec3f& direction, float length, RayPac
 }
 
 uint64_t TraceShadows(const Scene& scene, const Tracer& tracer, const RayPacket& rays,
-                      RenderStatistics* statistics) {
+                      RenderWorker* worker) {
     if (rays.count == 0) {
         return 0;
     }
     const auto start = std::chrono::steady_clock::now();
-    const uint64_t occluded = tracer.Occluded(scene.Instances(), rays, &statistics->trace);
-    statistics->shadowSeconds +=
+    const uint64_t occluded =
+        tracer.Occluded(scene.Instances(), rays, &worker->statistics.trace, &worker->grids);
+    worker->statistics.shadowSeconds +=
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    statistics->shadowRays += rays.count;
+    worker->statistics.shadowRays += rays.count;
     return occluded;
 }
 
 }  // namespace
 
 void AddDirectLight(const Scene& scene, const Tracer& tracer, const ShadingPoint* points, int count,
-                    Vec3f* radiance, RenderStatistics* statistics) {
+                    Vec3f* radiance, RenderWorker* worker) {
     const Box3f bounds = scene.Instances().Bounds();
     for (const auto& light : scene.Lights()) {
         RayPacket rays;
@@ -85,7 +86,7 @@ void AddDirectLight(const Scene& scene, const Tracer& tracer, const ShadingPoint
             }
         }
         const uint64_t occluded =
-            light->castsShadows ? TraceShadows(scene, tracer, rays, statistics) : 0;
+            light->castsShadows ? TraceShadows(scene, tracer, rays, worker) : 0;
         for (int ray = 0; ray < rays.count; ++ray) {
             if (!(occluded >> ray & 1)) {
                 const int i = pointOfRay[ray];

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/render/renderer.h"
+#include "core/render/renderWorker.h"
 #include "core/render/shadingPoint.h"
 
 namespace cc {
@@ -10,6 +10,6 @@ namespace cc {
 /// @param points    at most kPacketSize
 /// @param radiance  one a point, added to
 void AddDirectLight(const Scene& scene, const Tracer& tracer, const ShadingPoint* points, int count,
-                    Vec3f* radiance, RenderStatistics* statistics);
+                    Vec3f* radiance, RenderWorker* worker);
 
 }  // namespace cc

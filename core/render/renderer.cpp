@@ -28,19 +28,19 @@ size_t RenderTiles(const TileRenderer& renderer, const std::vector<Tile>& tiles,
             0, threads,
             [&](int worker) {
                 // Kept apart, as neighbours in memory would slow each other down.
-                RenderStatistics statistics;
+                RenderWorker own;
                 while (!(stop && stop->load(std::memory_order_relaxed))) {
                     const size_t i = next.fetch_add(1, std::memory_order_relaxed);
                     if (i >= tiles.size()) {
                         break;
                     }
-                    renderer.Render(tiles[i], &statistics);
+                    renderer.Render(tiles[i], &own);
                     done.fetch_add(1, std::memory_order_relaxed);
                     if (progress) {
                         progress->fetch_add(int64_t(tiles[i].width) * tiles[i].height);
                     }
                 }
-                (*statisticsOfWorkers)[worker] = statistics;
+                (*statisticsOfWorkers)[worker] = own.statistics;
             },
             tbb::simple_partitioner());
     });

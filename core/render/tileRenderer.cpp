@@ -55,12 +55,12 @@ TileRenderer::TileRenderer(const Scene& scene, const CameraRays& camera, const T
     }
 }
 
-void TileRenderer::Render(const Tile& tile, RenderStatistics* statistics) const {
+void TileRenderer::Render(const Tile& tile, RenderWorker* worker) const {
     Sample sample;
     float rgba[4 * kPacketSize] = {};
     const int samples = _film->Has(Aov::Color) ? std::max(_options.samples, 1) : 1;
     for (int i = 0; i < samples; ++i) {
-        _TraceSample(tile, i, &sample, statistics);
+        _TraceSample(tile, i, &sample, worker);
         if (i == 0) {
             _WriteSurface(tile, sample);
             for (const Aov& aov : _film->Aovs()) {
@@ -70,7 +70,7 @@ void TileRenderer::Render(const Tile& tile, RenderStatistics* statistics) const 
             }
         }
         if (_film->Has(Aov::Color)) {
-            _AddColor(sample, rgba, statistics);
+            _AddColor(sample, rgba, worker);
         }
     }
     if (_film->Has(Aov::Color)) {
@@ -82,26 +82,25 @@ void TileRenderer::Render(const Tile& tile, RenderStatistics* statistics) const 
 }
 
 void TileRenderer::_TraceSample(const Tile& tile, int index, Sample* sample,
-                                RenderStatistics* statistics) const {
+                                RenderWorker* worker) const {
     sample->rays.count = tile.width * tile.height;
     for (int lane = 0; lane < sample->rays.count; ++lane) {
         const int x = tile.x + lane % tile.width, y = tile.y + lane / tile.width;
         const Vec2f inPixel = PixelSampler(x, y, _options.seed, _options.samples).Sample(index);
         _camera.SetRay(double(x) + inPixel.x, double(y) + inPixel.y, lane, &sample->rays);
     }
-    _Intersect(&sample->rays, &sample->hits, statistics);
+    _Intersect(&sample->rays, &sample->hits, worker);
     if (_hasCulling) {
-        _PassThroughCulled(sample, statistics);
+        _PassThroughCulled(sample, worker);
     }
 }
 
-void TileRenderer::_Intersect(RayPacket* rays, HitPacket* hits,
-                              RenderStatistics* statistics) const {
+void TileRenderer::_Intersect(RayPacket* rays, HitPacket* hits, RenderWorker* worker) const {
     const auto start = std::chrono::steady_clock::now();
-    _tracer.Intersect(_scene.Instances(), rays, hits, &statistics->trace);
-    statistics->primarySeconds +=
+    _tracer.Intersect(_scene.Instances(), rays, hits, &worker->statistics.trace, &worker->grids);
+    worker->statistics.primarySeconds +=
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    statistics->primaryRays += rays->count;
+    worker->statistics.primaryRays += rays->count;
 }
 
 bool TileRenderer::_IsCulled(const RayPacket& rays, const HitPacket& hits, int lane) const {
@@ -111,7 +110,7 @@ bool TileRenderer::_IsCulled(const RayPacket& rays, const HitPacket& hits, int l
                            _options.level);
 }
 
-void TileRenderer::_PassThroughCulled(Sample* sample, RenderStatistics* statistics) const {
+void TileRenderer::_PassThroughCulled(Sample* sample, RenderWorker* worker) const {
     // Of the rays that are still on their way: the lane in the sample.
     int lanes[kPacketSize];
     RayPacket rays;
@@ -127,7 +126,7 @@ void TileRenderer::_PassThroughCulled(Sample* sample, RenderStatistics* statisti
             rays.tMax[i] = _camera.FarEnd();
         }
         HitPacket hits;
-        _Intersect(&rays, &hits, statistics);
+        _Intersect(&rays, &hits, worker);
         int remaining = 0;
         for (int i = 0; i < rays.count; ++i) {
             if (_IsCulled(rays, hits, i)) {
@@ -154,8 +153,7 @@ ShadingPoint TileRenderer::_Shade(const Sample& sample, int lane) const {
                             lane, _options.level);
 }
 
-void TileRenderer::_AddColor(const Sample& sample, float* rgba,
-                             RenderStatistics* statistics) const {
+void TileRenderer::_AddColor(const Sample& sample, float* rgba, RenderWorker* worker) const {
     const HitPacket& hits = sample.hits;
     ShadingPoint points[kPacketSize];
     int lanes[kPacketSize];
@@ -169,7 +167,7 @@ void TileRenderer::_AddColor(const Sample& sample, float* rgba,
         }
     }
     Vec3f radiance[kPacketSize];
-    AddDirectLight(_scene, _tracer, points, count, radiance, statistics);
+    AddDirectLight(_scene, _tracer, points, count, radiance, worker);
     for (int i = 0; i < count; ++i) {
         float* pixel = rgba + 4 * lanes[i];
         pixel[0] += radiance[i].x;

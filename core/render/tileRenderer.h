@@ -2,7 +2,7 @@
 
 #include "core/render/cameraRays.h"
 #include "core/render/film.h"
-#include "core/render/renderer.h"
+#include "core/render/renderWorker.h"
 #include "core/render/shadingPoint.h"
 #include "core/render/tileOrder.h"
 #include "core/scene/scene.h"
@@ -17,7 +17,7 @@ class TileRenderer {
     TileRenderer(const Scene& scene, const CameraRays& camera, const Tracer& tracer,
                  const RenderOptions& options, Film* film);
 
-    void Render(const Tile& tile, RenderStatistics* statistics) const;
+    void Render(const Tile& tile, RenderWorker* worker) const;
 
   private:
     /// Rays through the pixels of a tile, row by row from the lower left, and what they hit.
@@ -28,13 +28,12 @@ class TileRenderer {
         bool IsHit(int lane) const { return hits.instance[lane] != kNoHit; }
     };
 
-    void _TraceSample(const Tile& tile, int index, Sample* sample,
-                      RenderStatistics* statistics) const;
-    void _Intersect(RayPacket* rays, HitPacket* hits, RenderStatistics* statistics) const;
-    void _PassThroughCulled(Sample* sample, RenderStatistics* statistics) const;
+    void _TraceSample(const Tile& tile, int index, Sample* sample, RenderWorker* worker) const;
+    void _Intersect(RayPacket* rays, HitPacket* hits, RenderWorker* worker) const;
+    void _PassThroughCulled(Sample* sample, RenderWorker* worker) const;
     bool _IsCulled(const RayPacket& rays, const HitPacket& hits, int lane) const;
     ShadingPoint _Shade(const Sample& sample, int lane) const;
-    void _AddColor(const Sample& sample, float* rgba, RenderStatistics* statistics) const;
+    void _AddColor(const Sample& sample, float* rgba, RenderWorker* worker) const;
     void _WriteColor(const Tile& tile, const float* rgba) const;
     void _WriteSurface(const Tile& tile, const Sample& sample) const;
     void _WritePrimvar(const Tile& tile, const Sample& sample, const Aov& aov) const;

@@ -58,18 +58,19 @@ HWY_EXPORT(OccludeTuples);
 HWY_EXPORT(IntersectLongTuples);
 
 void DispatchIntersect(const InstanceBvh& instances, int level, ObjectRays* worldRays,
-                       const RayPacket& world, HitPacket* hits, TraceStatistics* statistics) {
+                       const RayPacket& world, HitPacket* hits, SharedGrids*,
+                       TraceStatistics* statistics) {
     HWY_DYNAMIC_DISPATCH(IntersectTuples)(instances, level, worldRays, world, hits, statistics);
 }
 
 /// Any hit needs no texture coordinates (paper, section 3.2).
 void DispatchOcclude(const InstanceBvh& instances, int level, ObjectRays* worldRays,
-                     const RayPacket& world, TraceStatistics* statistics) {
+                     const RayPacket& world, SharedGrids*, TraceStatistics* statistics) {
     HWY_DYNAMIC_DISPATCH(OccludeTuples)(instances, level, worldRays, world, statistics);
 }
 
 void DispatchIntersectWithTexture(const InstanceBvh& instances, int level, ObjectRays* worldRays,
-                                  const RayPacket& world, HitPacket* hits,
+                                  const RayPacket& world, HitPacket* hits, SharedGrids*,
                                   TraceStatistics* statistics) {
     TextureHits texture;
     IntersectWithTexture(instances, level, worldRays, world, hits, &texture, statistics);

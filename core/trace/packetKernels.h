@@ -11,12 +11,13 @@ namespace cc {
 /// the rays of a packet in world space twice: as they came, and made ready, where what they hit
 /// shortens them.
 struct PacketKernels {
-    /// Finds the nearest hits. Hits are cleared already.
+    /// Finds the nearest hits. Hits are cleared already; grids may be null.
     void (*intersect)(const InstanceBvh& instances, int level, ObjectRays* worldRays,
-                      const RayPacket& world, HitPacket* hits, TraceStatistics* statistics);
+                      const RayPacket& world, HitPacket* hits, SharedGrids* grids,
+                      TraceStatistics* statistics);
     /// Ends every ray that hits anything: its tMax falls below its tMin.
     void (*occlude)(const InstanceBvh& instances, int level, ObjectRays* worldRays,
-                    const RayPacket& world, TraceStatistics* statistics);
+                    const RayPacket& world, SharedGrids* grids, TraceStatistics* statistics);
 };
 
 /// @param level  each base face is split into 2^level x 2^level quads, 0..8

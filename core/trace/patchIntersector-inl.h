@@ -14,11 +14,13 @@
 #include "core/subdiv/extraordinaryPatch.h"
 #include "core/subdiv/irregularPatch.h"
 #include "core/trace/bezierRows-inl.h"
-#include "core/trace/gridIntersection-inl.h"
+#include "core/trace/gridFrame-inl.h"
 #include "core/trace/limitGrid-inl.h"
 #include "core/trace/patchRays-inl.h"
 #include "core/trace/patchSquare.h"
+#include "core/trace/quadWindow-inl.h"
 #include "core/trace/rayPacket.h"
+#include "core/trace/sharedGrids.h"
 #include "core/trace/surface.h"
 #include "core/trace/traversal-inl.h"
 #include "core/trace/triangleIntersector-inl.h"
@@ -57,6 +59,7 @@ inline void TurnGrid(const LimitGrid& from, int corner, LimitGrid* to) {
             }
         }
     }
+    to->Fill();
 }
 
 /// Part of a patch: its rows run along u if isTransposed is set, else along v (see SplitPatch).
@@ -73,13 +76,16 @@ struct SubPatch {
 /// is evaluated at once, and of its blocks of quads only those that rays reach are intersected. The
 /// control points are kept in Bezier form, whose hull is tight and whose corners are limit
 /// positions.
+///
+/// Packets of a batch mostly meet the patches that the packets before them met: they share grids.
 /// @tparam Rays     PacketRays or SingleRay
 /// @tparam kAnyHit  rays end at whatever they hit first, and hits are not recorded
 template <class Rays, bool kAnyHit>
 class PatchIntersector {
   public:
+    /// @param grids  null if nothing is shared
     PatchIntersector(const Surface& surface, uint32_t instance, int level, Rays* rays,
-                     HitPacket* hits, TraceStatistics* statistics)
+                     HitPacket* hits, SharedGrids* grids, TraceStatistics* statistics)
         : _surface(surface),
           _instance(instance),
           // Quads of a mesh must meet at one level: where faces were refined deeper than the level
@@ -87,6 +93,7 @@ class PatchIntersector {
           _level(std::max(level, surface.Patches().MaxDepth())),
           _rays(*rays),
           _hits(hits),
+          _grids(grids),
           _statistics(*statistics),
           _triangles(surface, instance, _level, rays, hits, statistics, &_doneRays) {
         for (int i = 0; i < rays->rays.count; ++i) {
@@ -124,16 +131,16 @@ class PatchIntersector {
         const Square whole{0, 0, 1};
         if (p.kind == PatchKind::Regular || p.kind == PatchKind::Bilinear) {
             _tolerance = 0;
-            const Vec3f* points = _surface.PatchPoints().data();
-            BezierRows bezier;
-            if (p.kind == PatchKind::Regular) {
-                GatherRegular(points, patches.Indices(patch), &bezier);
-            } else {
-                bezier = BezierRows(GatherBezier(patches, patch, points));
-            }
             if (splits <= kMaxGridSplits) {
-                _IntersectRegular(bezier, {whole, false}, splits, hitting);
+                EvaluatedGrid& grid = _GridAt(whole);
+                if (!_Holds(grid, whole)) {
+                    _GatherBezier(p.kind, &grid.bezier);
+                    _BeginBezier({whole, false}, splits, &grid);
+                }
+                _IntersectGrid(&grid, hitting);
             } else {
+                BezierRows bezier;
+                _GatherBezier(p.kind, &bezier);
                 _IntersectBezier(bezier, whole, splits, firstRay);
             }
             return;
@@ -141,9 +148,12 @@ class PatchIntersector {
         _tolerance = RoundingTolerance(&box.lower, 2);
         const LimitGridPlan* plan = _surface.Plans().Of(patch);
         if (plan && splits <= kMaxGridSplits) {
-            LimitGrid grid;
-            _EvaluatePlanned(*plan, splits, &grid);
-            _IntersectWhole(grid, whole, hitting);
+            EvaluatedGrid& grid = _GridAt(whole);
+            if (!_Holds(grid, whole)) {
+                _EvaluatePlanned(*plan, splits, &grid.points);
+                _BeginWhole(whole, &grid);
+            }
+            _IntersectGrid(&grid, hitting);
         } else if (p.kind == PatchKind::Extraordinary) {
             ExtraordinaryPatch::Points points;
             _GatherExtraordinary(patches, &points);
@@ -152,6 +162,15 @@ class PatchIntersector {
         } else {
             _IntersectIrregular(GatherIrregular(patches, patch, _surface.PatchPoints().data()),
                                 whole, splits, firstRay);
+        }
+    }
+
+    void _GatherBezier(PatchKind kind, BezierRows* bezier) const {
+        const Vec3f* points = _surface.PatchPoints().data();
+        if (kind == PatchKind::Regular) {
+            GatherRegular(points, _surface.Patches().Indices(_patch), bezier);
+        } else {
+            *bezier = BezierRows(GatherBezier(_surface.Patches(), _patch, points));
         }
     }
 
@@ -212,11 +231,12 @@ class PatchIntersector {
                 return;
             }
             if (plan && splits <= kMaxGridSplits) {
-                LimitGrid grid, turned;
+                LimitGrid grid;
                 const auto& points = patch.ControlPoints();
                 _EvaluatePlan(*plan, [&](size_t i) { return points[i]; }, splits, &grid);
-                TurnGrid(grid, corner, &turned);
-                _IntersectWhole(turned, square, _From(firstRay));
+                TurnGrid(grid, corner, &_ownGrid.points);
+                _BeginWhole(square, &_ownGrid);
+                _IntersectGrid(&_ownGrid, _From(firstRay));
                 return;
             }
             ++_statistics.subdivisionsIrregular;
@@ -271,7 +291,7 @@ class PatchIntersector {
     }
 
     void _IntersectLimitQuad(const Vec3f corners[4], const Square& square, int firstRay) {
-        LimitGrid grid;
+        LimitGrid& grid = _ownGrid.points;
         grid.side = 1;
         for (int axis = 0; axis < 3; ++axis) {
             grid.points[axis][0][0] = corners[0][axis];
@@ -279,14 +299,9 @@ class PatchIntersector {
             grid.points[axis][1][1] = corners[2][axis];
             grid.points[axis][1][0] = corners[3][axis];
         }
-        _IntersectWhole(grid, square, _From(firstRay));
-    }
-
-    /// Intersects rays with a grid that is evaluated already.
-    void _IntersectWhole(const LimitGrid& grid, const Square& square, uint64_t hitting) {
-        WideBoxes boxes;
-        MeasureBlocks(grid, _tolerance, &boxes);
-        _IntersectGrid(grid, boxes, {square, false}, hitting, [](int) {});
+        grid.Fill();
+        _BeginWhole(square, &_ownGrid);
+        _IntersectGrid(&_ownGrid, _From(firstRay));
     }
 
     Box3f _Widened(const Box3f& box) const { return Widened(box, _tolerance); }
@@ -309,8 +324,7 @@ class PatchIntersector {
                 continue;
             }
             if (part.splits <= kMaxGridSplits) {
-                _IntersectRegular(part.bezier, {part.square, part.isTransposed}, part.splits,
-                                  RaysThatHit(Tag(), _rays.rays, _From(first), box));
+                _IntersectPart(part, RaysThatHit(Tag(), _rays.rays, _From(first), box));
             } else {
                 ++_statistics.subdivisionsRegular;
                 _PushQuarters(part, first, stack, &count);
@@ -334,104 +348,108 @@ class PatchIntersector {
         }
     }
 
+    void _IntersectPart(const SubPatch& part, uint64_t hitting) {
+        EvaluatedGrid& grid = _GridAt(part.square);
+        if (!_Holds(grid, part.square)) {
+            grid.bezier = part.bezier;
+            _BeginBezier({part.square, part.isTransposed}, part.splits, &grid);
+        }
+        _IntersectGrid(&grid, hitting);
+    }
+
     /// Where a grid lies in its patch. If it is transposed, its columns run along v.
     struct GridPlace {
         Square square;
         bool isTransposed;
     };
 
-    void _IntersectRegular(const BezierRows& bezier, const GridPlace& place, int splits,
-                           uint64_t hitting) {
-        if (hitting == 0) {
-            return;
+    EvaluatedGrid& _GridAt(const Square& square) {
+        return _grids ? _grids->At(_surface, _patch, square) : _ownGrid;
+    }
+    bool _Holds(const EvaluatedGrid& grid, const Square& square) const {
+        return _grids && SharedGrids::Holds(grid, _surface, _patch, square);
+    }
+
+    void _Place(const GridPlace& place, EvaluatedGrid* grid) const {
+        grid->surface = &_surface;
+        grid->patch = _patch;
+        grid->square = place.square;
+        grid->isTransposed = place.isTransposed;
+        grid->tolerance = _tolerance;
+    }
+
+    /// Begins a grid whose Bezier patch is there: rows are evaluated when rays reach them.
+    void _BeginBezier(const GridPlace& place, int splits, EvaluatedGrid* grid) const {
+        const BezierRows& bezier = grid->bezier;
+        const Vec3f corners[4] = {bezier.Corner(0, 0), bezier.Corner(0, 1), bezier.Corner(1, 1),
+                                  bezier.Corner(1, 0)};
+        const int side = grid->points.side = 1 << splits;
+        grid->frame = GridFrame(corners, side);
+        MeasureDeviation(bezier, &grid->frame);
+        grid->frame.Widen(_tolerance);
+        grid->missingRows = (2u << std::max(side, LimitGrid::kLeastRows)) - 1;
+        _Place(place, grid);
+    }
+
+    /// Begins a grid whose points are there.
+    void _BeginWhole(const Square& square, EvaluatedGrid* grid) const {
+        const LimitGrid& points = grid->points;
+        const int side = points.side;
+        const Vec3f corners[4] = {points.At(0, 0), points.At(0, side), points.At(side, side),
+                                  points.At(side, 0)};
+        grid->frame = GridFrame(corners, side);
+        MeasureDeviation(points, &grid->frame);
+        grid->frame.Widen(_tolerance);
+        grid->missingRows = 0;
+        _Place({square, false}, grid);
+    }
+
+    /// Evaluates rows of points that are not there yet.
+    static HWY_INLINE void _Require(int first, int last, EvaluatedGrid* grid) {
+        uint32_t missing = ((2u << last) - (1u << first)) & grid->missingRows;
+        grid->missingRows &= ~missing;
+        for (; missing != 0; missing &= missing - 1) {
+            EvaluateRow(grid->bezier, __builtin_ctz(grid->points.side), __builtin_ctz(missing),
+                        &grid->points);
         }
-        LimitGrid grid;
-        BezierGrid bezierGrid(bezier, splits, &grid);
-        WideBoxes boxes;
-        bezierGrid.MeasureBlocks(&boxes);
-        _IntersectGrid(grid, boxes, place, hitting,
-                       [&](int blockRow) { bezierGrid.Require(blockRow); });
     }
 
     /// @param hitting  a bit for each ray that may hit the grid
-    /// @param require  called with a row of blocks before its points are read
-    template <class Require>
-    void _IntersectGrid(const LimitGrid& grid, const WideBoxes& boxes, const GridPlace& place,
-                        uint64_t hitting, const Require& require) {
-        _statistics.boxTests += boxes.count;
-        const int blocksAlongSide = grid.BlocksAlongSide();
-        const auto intersect = [&](int block, uint64_t rays) {
-            if (rays != 0) {
-                require(block / blocksAlongSide);
-                _IntersectBlock(grid, block, place, rays);
-            }
-        };
-        if (hwy::PopCount(hitting) <= kFewRays) {
-            _SortByRays(boxes, hitting, intersect);
-        } else {
-            _SortByBlocks(boxes, hitting, intersect);
-        }
-    }
-
-    template <class IntersectBlock>
-    HWY_INLINE void _SortByRays(const WideBoxes& boxes, uint64_t hitting,
-                                const IntersectBlock& intersect) {
-        const RaysOfBoxes hits(boxes, _rays.rays, hitting);
-        for (uint32_t blocks = hits.boxes; blocks != 0; blocks &= blocks - 1) {
-            const int block = __builtin_ctz(blocks);
-            intersect(block, hits.rays[block]);
-        }
-    }
-
-    template <class IntersectBlock>
-    HWY_INLINE void _SortByBlocks(const WideBoxes& boxes, uint64_t hitting,
-                                  const IntersectBlock& intersect) {
-        for (uint32_t blocks = _rays.HitBoxes(boxes).mask; blocks != 0; blocks &= blocks - 1) {
-            const int block = __builtin_ctz(blocks);
-            intersect(block, RaysThatHit(Tag(), _rays.rays, hitting, boxes.At(block)));
-        }
-    }
-
-    void _IntersectBlock(const LimitGrid& grid, int block, const GridPlace& place,
-                         uint64_t hitting) {
-        const ObjectRays& rays = _rays.rays;
-        const Vec3f pinhole{rays.originX[0], rays.originY[0], rays.originZ[0]};
-        for (int axis = 0; axis < 3; ++axis) {
-            const uint64_t along = hitting & rays.longestAlong[axis];
-            if (along == 0) {
-                continue;
-            }
-            ++_statistics.finalIntersections;
-            _statistics.activeLanes += hwy::PopCount(along);
-            const QuadBlock quads(grid, block, axis, _tolerance,
-                                  rays.isPinhole ? &pinhole : nullptr);
-            if (rays.isPinhole) {
-                _IntersectQuads<true>(axis, quads, grid.side, place, along);
-            } else {
-                _IntersectQuads<false>(axis, quads, grid.side, place, along);
+    void _IntersectGrid(EvaluatedGrid* grid, uint64_t hitting) {
+        QuadRanges ranges;
+        ++_statistics.boxTests;
+        for (uint64_t rest = FindQuads(Tag(), grid->frame, _rays.rays, hitting, &ranges); rest != 0;
+             rest &= rest - 1) {
+            const int ray = __builtin_ctzll(rest);
+            GridHit hit;
+            hit.t = _rays.rays.tMax[ray];
+            ++_statistics.activeLanes;
+            _IntersectQuads(ray, ranges, grid, &hit);
+            if (hit.triangle >= 0) {
+                _Record(ray, hit, *grid);
             }
         }
     }
 
-    /// @param axis  the one that all rays are longest along
-    template <bool kIsPinhole>
-    void _IntersectQuads(int axis, const QuadBlock& quads, int side, const GridPlace& place,
-                         uint64_t hitting) {
-        const ObjectRays& rays = _rays.rays;
-        const float* const origins[3] = {rays.originX, rays.originY, rays.originZ};
-        for (; hitting != 0; hitting &= hitting - 1) {
-            const int ray = __builtin_ctzll(hitting);
-            const float origin[3] = {origins[(axis + 1) % 3][ray], origins[(axis + 2) % 3][ray],
-                                     origins[axis][ray]};
-            const float shear[3] = {rays.shear[0][ray], rays.shear[1][ray], rays.shear[2][ray]};
-            BlockHit hit;
-            if (quads.Intersect<kIsPinhole>(origin, shear, rays.tMin[ray], rays.tMax[ray], &hit)) {
-                _Record(ray, hit, side, place);
+    HWY_INLINE void _IntersectQuads(int ray, const QuadRanges& ranges, EvaluatedGrid* grid,
+                                    GridHit* hit) {
+        const ShearedRay sheared(_rays.rays, ray);
+        const int side = grid->points.side;
+        const int lastRow = std::max(side - QuadWindow::kRows, 0);
+        const int lastColumn = std::max(side - QuadWindow::kColumns, 0);
+        for (int i = ranges.firstRow[ray]; i <= ranges.lastRow[ray]; i += QuadWindow::kRows) {
+            const int row = std::min(i, lastRow);
+            _Require(row, row + QuadWindow::kRows, grid);
+            for (int j = ranges.firstColumn[ray]; j <= ranges.lastColumn[ray];
+                 j += QuadWindow::kColumns) {
+                ++_statistics.finalIntersections;
+                QuadWindow(grid->points, std::min(j, lastColumn), row, grid->tolerance, sheared)
+                    .Intersect(hit);
             }
         }
     }
 
-    void _Record(int ray, const BlockHit& hit, int side, const GridPlace& place) {
+    void _Record(int ray, const GridHit& hit, const EvaluatedGrid& grid) {
         _isShortened = true;
         if (kAnyHit) {
             ++_doneRays;
@@ -441,10 +459,10 @@ class PatchIntersector {
         _rays.rays.tMax[ray] = hit.t;
         _hits->instance[ray] = _instance;
         _hits->patch[ray] = _patch;
-        const Square& square = place.square;
-        const float scale = square.size / static_cast<float>(side);
-        _hits->u[ray] = square.u + scale * (place.isTransposed ? hit.v : hit.u);
-        _hits->v[ray] = square.v + scale * (place.isTransposed ? hit.u : hit.v);
+        const Square& square = grid.square;
+        const float scale = square.size / static_cast<float>(grid.points.side);
+        _hits->u[ray] = square.u + scale * (grid.isTransposed ? hit.v : hit.u);
+        _hits->v[ray] = square.v + scale * (grid.isTransposed ? hit.u : hit.v);
     }
 
     const Surface& _surface;
@@ -452,7 +470,10 @@ class PatchIntersector {
     const int _level;
     Rays& _rays;
     HitPacket* const _hits;
+    SharedGrids* const _grids;
     TraceStatistics& _statistics;
+
+    EvaluatedGrid _ownGrid;  ///< what is not shared
 
     uint32_t _patch = 0;
     float _tolerance = 0;

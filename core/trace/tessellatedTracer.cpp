@@ -145,13 +145,14 @@ HWY_EXPORT(IntersectTessellations);
 HWY_EXPORT(OccludeTessellations);
 
 void DispatchIntersect(const InstanceBvh& instances, int level, ObjectRays* worldRays,
-                       const RayPacket& world, HitPacket* hits, TraceStatistics* statistics) {
+                       const RayPacket& world, HitPacket* hits, SharedGrids*,
+                       TraceStatistics* statistics) {
     HWY_DYNAMIC_DISPATCH(IntersectTessellations)
     (instances, level, worldRays, world, hits, statistics);
 }
 
 void DispatchOcclude(const InstanceBvh& instances, int level, ObjectRays* worldRays,
-                     const RayPacket& world, TraceStatistics* statistics) {
+                     const RayPacket& world, SharedGrids*, TraceStatistics* statistics) {
     HWY_DYNAMIC_DISPATCH(OccludeTessellations)(instances, level, worldRays, world, statistics);
 }
 

@@ -18,11 +18,12 @@ namespace HWY_NAMESPACE {
 /// Traces rays that are in world space already through the patches of all instances.
 template <class Rays, bool kAnyHit>
 void TracePatches(const InstanceBvh& instances, int level, const RayPacket& world,
-                  ObjectRays* worldRays, HitPacket* hits, TraceStatistics* statistics) {
+                  ObjectRays* worldRays, HitPacket* hits, SharedGrids* grids,
+                  TraceStatistics* statistics) {
     TraceInstances<Rays>(instances, world, worldRays, statistics,
                          [&](const Surface& surface, uint32_t instance, Rays* rays) {
-                             PatchIntersector<Rays, kAnyHit> intersector(surface, instance, level,
-                                                                         rays, hits, statistics);
+                             PatchIntersector<Rays, kAnyHit> intersector(
+                                 surface, instance, level, rays, hits, grids, statistics);
                              TraverseBvh(
                                  surface.PatchBvh(), rays, statistics,
                                  [&](uint32_t patch, uint64_t hitting, const Box3f& box) {
@@ -35,23 +36,25 @@ void TracePatches(const InstanceBvh& instances, int level, const RayPacket& worl
 }
 
 void IntersectPacket(const InstanceBvh& instances, int level, ObjectRays* worldRays,
-                     const RayPacket& world, HitPacket* hits, TraceStatistics* statistics) {
-    TracePatches<PacketRays, false>(instances, level, world, worldRays, hits, statistics);
+                     const RayPacket& world, HitPacket* hits, SharedGrids* grids,
+                     TraceStatistics* statistics) {
+    TracePatches<PacketRays, false>(instances, level, world, worldRays, hits, grids, statistics);
 }
 
 void OccludePacket(const InstanceBvh& instances, int level, ObjectRays* worldRays,
-                   const RayPacket& world, TraceStatistics* statistics) {
-    TracePatches<PacketRays, true>(instances, level, world, worldRays, nullptr, statistics);
+                   const RayPacket& world, SharedGrids* grids, TraceStatistics* statistics) {
+    TracePatches<PacketRays, true>(instances, level, world, worldRays, nullptr, grids, statistics);
 }
 
 void IntersectSingle(const InstanceBvh& instances, int level, ObjectRays* worldRays,
-                     const RayPacket& world, HitPacket* hits, TraceStatistics* statistics) {
-    TracePatches<SingleRay, false>(instances, level, world, worldRays, hits, statistics);
+                     const RayPacket& world, HitPacket* hits, SharedGrids* grids,
+                     TraceStatistics* statistics) {
+    TracePatches<SingleRay, false>(instances, level, world, worldRays, hits, grids, statistics);
 }
 
 void OccludeSingle(const InstanceBvh& instances, int level, ObjectRays* worldRays,
-                   const RayPacket& world, TraceStatistics* statistics) {
-    TracePatches<SingleRay, true>(instances, level, world, worldRays, nullptr, statistics);
+                   const RayPacket& world, SharedGrids* grids, TraceStatistics* statistics) {
+    TracePatches<SingleRay, true>(instances, level, world, worldRays, nullptr, grids, statistics);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -68,13 +71,15 @@ HWY_EXPORT(IntersectSingle);
 HWY_EXPORT(OccludeSingle);
 
 void DispatchIntersect(const InstanceBvh& instances, int level, ObjectRays* worldRays,
-                       const RayPacket& world, HitPacket* hits, TraceStatistics* statistics) {
-    HWY_DYNAMIC_DISPATCH(IntersectPacket)(instances, level, worldRays, world, hits, statistics);
+                       const RayPacket& world, HitPacket* hits, SharedGrids* grids,
+                       TraceStatistics* statistics) {
+    HWY_DYNAMIC_DISPATCH(IntersectPacket)(instances, level, worldRays, world, hits, grids,
+                                          statistics);
 }
 
 void DispatchOcclude(const InstanceBvh& instances, int level, ObjectRays* worldRays,
-                     const RayPacket& world, TraceStatistics* statistics) {
-    HWY_DYNAMIC_DISPATCH(OccludePacket)(instances, level, worldRays, world, statistics);
+                     const RayPacket& world, SharedGrids* grids, TraceStatistics* statistics) {
+    HWY_DYNAMIC_DISPATCH(OccludePacket)(instances, level, worldRays, world, grids, statistics);
 }
 
 void Clear(int count, HitPacket* hits) {
@@ -90,23 +95,23 @@ class PacketTracer final : public Tracer {
     PacketTracer(const PacketKernels& kernels, int level) : _kernels(kernels), _level(level) {}
 
     void Intersect(const InstanceBvh& instances, RayPacket* rays, HitPacket* hits,
-                   TraceStatistics* statistics) const override {
+                   TraceStatistics* statistics, SharedGrids* grids) const override {
         ++statistics->packets;
         statistics->rays += rays->count;
         Clear(kPacketSize, hits);
         ObjectRays world;
         TransformRays(*rays, AffineTransform(), &world);
-        _kernels.intersect(instances, _level, &world, *rays, hits, statistics);
+        _kernels.intersect(instances, _level, &world, *rays, hits, grids, statistics);
         std::copy(world.tMax, world.tMax + rays->count, rays->tMax);
     }
 
     uint64_t Occluded(const InstanceBvh& instances, const RayPacket& rays,
-                      TraceStatistics* statistics) const override {
+                      TraceStatistics* statistics, SharedGrids* grids) const override {
         ++statistics->packets;
         statistics->rays += rays.count;
         ObjectRays world;
         TransformRays(rays, AffineTransform(), &world);
-        _kernels.occlude(instances, _level, &world, rays, statistics);
+        _kernels.occlude(instances, _level, &world, rays, grids, statistics);
         uint64_t occluded = 0;
         for (int i = 0; i < rays.count; ++i) {
             const bool wasActive = rays.tMin[i] <= rays.tMax[i];
@@ -126,7 +131,7 @@ class SingleTracer final : public Tracer {
     explicit SingleTracer(int level) : _level(level) {}
 
     void Intersect(const InstanceBvh& instances, RayPacket* rays, HitPacket* hits,
-                   TraceStatistics* statistics) const override {
+                   TraceStatistics* statistics, SharedGrids* grids) const override {
         Clear(kPacketSize, hits);
         for (int i = 0; i < rays->count; ++i) {
             const RayPacket one = _Extract(*rays, i, statistics);
@@ -135,7 +140,7 @@ class SingleTracer final : public Tracer {
             HitPacket hit;
             Clear(1, &hit);
             HWY_DYNAMIC_DISPATCH(IntersectSingle)
-            (instances, _level, &world, one, &hit, statistics);
+            (instances, _level, &world, one, &hit, grids, statistics);
             rays->tMax[i] = world.tMax[0];
             hits->instance[i] = hit.instance[0];
             hits->patch[i] = hit.patch[0];
@@ -145,7 +150,7 @@ class SingleTracer final : public Tracer {
     }
 
     uint64_t Occluded(const InstanceBvh& instances, const RayPacket& rays,
-                      TraceStatistics* statistics) const override {
+                      TraceStatistics* statistics, SharedGrids* grids) const override {
         uint64_t occluded = 0;
         for (int i = 0; i < rays.count; ++i) {
             if (rays.tMax[i] < rays.tMin[i]) {
@@ -154,7 +159,7 @@ class SingleTracer final : public Tracer {
             const RayPacket one = _Extract(rays, i, statistics);
             ObjectRays world;
             TransformRays(one, AffineTransform(), &world);
-            HWY_DYNAMIC_DISPATCH(OccludeSingle)(instances, _level, &world, one, statistics);
+            HWY_DYNAMIC_DISPATCH(OccludeSingle)(instances, _level, &world, one, grids, statistics);
             occluded |= uint64_t(world.tMax[0] < world.tMin[0]) << i;
         }
         return occluded;

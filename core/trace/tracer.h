@@ -5,6 +5,7 @@
 
 #include "core/trace/instance.h"
 #include "core/trace/rayPacket.h"
+#include "core/trace/sharedGrids.h"
 #include "core/trace/traceStatistics.h"
 
 namespace cc {
@@ -26,12 +27,22 @@ class Tracer {
 
     /// Finds the nearest hit of every ray in (tMin, tMax). Shortens tMax to the hit's distance and
     /// fills hits for lanes below count; a ray without a hit gets kNoHit.
+    /// @param grids  what the packets of a batch share, or null
     virtual void Intersect(const InstanceBvh& instances, RayPacket* rays, HitPacket* hits,
-                           TraceStatistics* statistics) const = 0;
+                           TraceStatistics* statistics, SharedGrids* grids) const = 0;
+    void Intersect(const InstanceBvh& instances, RayPacket* rays, HitPacket* hits,
+                   TraceStatistics* statistics) const {
+        Intersect(instances, rays, hits, statistics, nullptr);
+    }
 
     /// Returns a bit a ray: set if anything lies in (tMin, tMax).
+    /// @param grids  what the packets of a batch share, or null
     virtual uint64_t Occluded(const InstanceBvh& instances, const RayPacket& rays,
-                              TraceStatistics* statistics) const = 0;
+                              TraceStatistics* statistics, SharedGrids* grids) const = 0;
+    uint64_t Occluded(const InstanceBvh& instances, const RayPacket& rays,
+                      TraceStatistics* statistics) const {
+        return Occluded(instances, rays, statistics, nullptr);
+    }
 };
 
 /// @param level  each base face is split into 2^level x 2^level quads, 0..8

@@ -9,6 +9,8 @@
 namespace {
 
 constexpr int kTile = 8;
+/// Tiles are in the order of the renderer's: block by block, so that neighbours follow each other.
+constexpr int kBlock = 8 * kTile;
 /// How far secondary rays start from the surface, in shares of the hit's distance: more than any
 /// tessellation of it is off by.
 constexpr float kOffset = 2e-4f;
@@ -105,17 +107,26 @@ RaySet MakePrimaryRays(const cc::Camera& camera, int size) {
     const float pixel = window.side / static_cast<float>(size);
     RaySet set;
     set.name = "primary";
-    std::vector<Ray> tile;
-    for (int y0 = 0; y0 < size; y0 += kTile) {
-        for (int x0 = 0; x0 < size; x0 += kTile) {
-            tile.clear();
-            for (int y = y0; y < std::min(y0 + kTile, size); ++y) {
-                for (int x = x0; x < std::min(x0 + kTile, size); ++x) {
-                    tile.push_back(MakePrimaryRay(camera, window.lower.x + (x + 0.5f) * pixel,
-                                                  window.lower.y + (y + 0.5f) * pixel));
-                }
+    const auto addTile = [&](int x0, int y0) {
+        std::vector<Ray> tile;
+        for (int y = y0; y < std::min(y0 + kTile, size); ++y) {
+            for (int x = x0; x < std::min(x0 + kTile, size); ++x) {
+                tile.push_back(MakePrimaryRay(camera, window.lower.x + (x + 0.5f) * pixel,
+                                              window.lower.y + (y + 0.5f) * pixel));
             }
-            set.AddPacket(tile);
+        }
+        set.AddPacket(tile);
+    };
+    const auto addBlock = [&](int x0, int y0) {
+        for (int y = y0; y < std::min(y0 + kBlock, size); y += kTile) {
+            for (int x = x0; x < std::min(x0 + kBlock, size); x += kTile) {
+                addTile(x, y);
+            }
+        }
+    };
+    for (int y = 0; y < size; y += kBlock) {
+        for (int x = 0; x < size; x += kBlock) {
+            addBlock(x, y);
         }
     }
     return set;

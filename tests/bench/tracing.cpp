@@ -35,10 +35,11 @@ class Worker {
     void Trace() {
         for (int i = 0; i < _count; ++i) {
             if (_anyHit) {
-                _occluded[i] = _tracer.Occluded(_scene.Instances(), _packets[i], &statistics);
+                _occluded[i] =
+                    _tracer.Occluded(_scene.Instances(), _packets[i], &statistics, &_grids);
                 continue;
             }
-            _tracer.Intersect(_scene.Instances(), &_packets[i], &_hits[i], &statistics);
+            _tracer.Intersect(_scene.Instances(), &_packets[i], &_hits[i], &statistics, &_grids);
             if (_values == HitValues::TextureCoordinates) {
                 _EvaluateHits(_packets[i].count, _hits[i]);
             }
@@ -75,6 +76,7 @@ class Worker {
     const bool _anyHit;
     const HitValues _values;
     int _count = 0;
+    cc::SharedGrids _grids;
     cc::RayPacket _packets[kPacketsInChunk];
     cc::HitPacket _hits[kPacketsInChunk];
     uint64_t _occluded[kPacketsInChunk];

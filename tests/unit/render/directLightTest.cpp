@@ -21,16 +21,16 @@ ShadingPoint PointUp() {
 }
 
 /// Light that a point sends on.
-Vec3f Lit(Scene* scene, const ShadingPoint& point, RenderStatistics* statistics) {
+Vec3f Lit(Scene* scene, const ShadingPoint& point, RenderWorker* worker) {
     scene->Build({"geometry"});
     Vec3f radiance;
-    AddDirectLight(*scene, *MakeTracer(TracerKind::Packet, 3), &point, 1, &radiance, statistics);
+    AddDirectLight(*scene, *MakeTracer(TracerKind::Packet, 3), &point, 1, &radiance, worker);
     return radiance;
 }
 
 Vec3f Lit(Scene* scene, const ShadingPoint& point = PointUp()) {
-    RenderStatistics statistics;
-    return Lit(scene, point, &statistics);
+    RenderWorker worker;
+    return Lit(scene, point, &worker);
 }
 
 Light* AddDistant(Scene* scene, const Vec3f& direction, const Vec3f& power) {
@@ -84,18 +84,18 @@ TEST(DirectLight, LightFromBehindIsNoLightAndNeedsNoRay) {
     Scene scene;
     AddDistant(&scene, {0, 0, 1}, {1, 1, 1});
     AddSphere(&scene, {0, 0, -3}, {1, 1, 1});
-    RenderStatistics statistics;
-    EXPECT_EQ(Lit(&scene, PointUp(), &statistics), (Vec3f{}));
-    EXPECT_EQ(statistics.shadowRays, 0u);
+    RenderWorker worker;
+    EXPECT_EQ(Lit(&scene, PointUp(), &worker), (Vec3f{}));
+    EXPECT_EQ(worker.statistics.shadowRays, 0u);
 }
 
 TEST(DirectLight, WhatIsBetweenCastsAShadow) {
     Scene scene;
     AddCage(&scene, "/roof", Square())->SetTransform(Placed(1, 0, 0, 2));
     Light* above = AddSphere(&scene, {0, 0, 4}, {1, 1, 1});
-    RenderStatistics statistics;
-    EXPECT_EQ(Lit(&scene, PointUp(), &statistics), (Vec3f{}));
-    EXPECT_EQ(statistics.shadowRays, 1u);
+    RenderWorker worker;
+    EXPECT_EQ(Lit(&scene, PointUp(), &worker), (Vec3f{}));
+    EXPECT_EQ(worker.statistics.shadowRays, 1u);
     above->castsShadows = false;
     EXPECT_GT(Lit(&scene).x, 0);
     above->castsShadows = true;

@@ -109,6 +109,34 @@ TEST_P(TracerTest, SingleRaysAgreeWithPackets) {
     }
 }
 
+TEST_P(TracerTest, SharingGridsChangesNoHit) {
+    const TracedCage traced(GetParam());
+    SharedGrids grids;
+    std::mt19937 random(6);
+    TraceStatistics statistics;
+    for (int level : {0, 2, 5}) {
+        // Grids of one level are not those of another.
+        grids.Clear();
+        const std::unique_ptr<Tracer> tracer = MakeTracer(TracerKind::Packet, level);
+        for (int n = 0; n < 10; ++n) {
+            RayPacket rays =
+                CameraPacket(traced.surface->Bounds(), {0.9f, -0.5f, 0.7f}, 0.3f, &random);
+            RayPacket again = rays;
+            HitPacket hits, hitsAgain;
+            EXPECT_EQ(tracer->Occluded(traced.world, rays, &statistics),
+                      tracer->Occluded(traced.world, rays, &statistics, &grids));
+            tracer->Intersect(traced.world, &rays, &hits, &statistics);
+            tracer->Intersect(traced.world, &again, &hitsAgain, &statistics, &grids);
+            for (int i = 0; i < rays.count; ++i) {
+                EXPECT_EQ(hits.patch[i], hitsAgain.patch[i]);
+                EXPECT_EQ(hits.u[i], hitsAgain.u[i]);
+                EXPECT_EQ(hits.v[i], hitsAgain.v[i]);
+                EXPECT_EQ(rays.tMax[i], again.tMax[i]);
+            }
+        }
+    }
+}
+
 /// Points on a wave that runs through them.
 std::vector<Vec3f> Rippled(std::vector<Vec3f> points, float height) {
     for (Vec3f& p : points) {

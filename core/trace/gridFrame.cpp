@@ -1,0 +1,55 @@
+#include "core/trace/gridFrame.h"
+
+#include <cmath>
+#include <limits>
+
+namespace cc {
+namespace {
+
+/// Sine of the least angle between the grid's sides that makes a plane.
+constexpr float kLeastSine = 1e-4f;
+
+float SumOfMagnitudes(const Vec3f& v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); }
+
+}  // namespace
+
+GridFrame::GridFrame(const Vec3f corners[4], int side) : side(side) {
+    const Vec3f u = 0.5f * ((corners[1] - corners[0]) + (corners[2] - corners[3]));
+    const Vec3f v = 0.5f * ((corners[3] - corners[0]) + (corners[2] - corners[1]));
+    base = 0.25f * ((corners[0] + corners[1]) + (corners[2] + corners[3])) - 0.5f * (u + v);
+    extent = SumOfMagnitudes(base) + SumOfMagnitudes(u) + SumOfMagnitudes(v);
+    const Vec3f normal = Cross(u, v);
+    const float square = Dot(normal, normal);
+    if (square > kLeastSine * kLeastSine * Dot(u, u) * Dot(v, v)) {
+        const float scale = static_cast<float>(side) / square;
+        axes[0] = scale * Cross(v, normal);
+        axes[1] = scale * Cross(normal, u);
+        axes[2] = (1 / std::sqrt(square)) * normal;
+    }
+    for (int k = 0; k < 3; ++k) {
+        margin[k] = kFrameMargin * SumOfMagnitudes(axes[k]);
+    }
+}
+
+void GridFrame::SetDeviation(int k, float least, float greatest) {
+    const float rounding = margin[k] * extent;
+    lower[k] = least - rounding;
+    upper[k] = greatest + rounding;
+    // Without a plane, or with points that are not numbers, every ray may meet every quad.
+    if (!(margin[k] > 0 && std::isfinite(lower[k]) && std::isfinite(upper[k]))) {
+        axes[k] = {};
+        margin[k] = 0;
+        lower[k] = -std::numeric_limits<float>::max();
+        upper[k] = std::numeric_limits<float>::max();
+    }
+}
+
+void GridFrame::Widen(float distance) {
+    for (int k = 0; k < 3; ++k) {
+        const float by = distance / kFrameMargin * margin[k];
+        lower[k] -= by;
+        upper[k] += by;
+    }
+}
+
+}  // namespace cc

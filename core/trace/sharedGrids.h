@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+
+#include "core/trace/bezierRows.h"
+#include "core/trace/gridFrame.h"
+#include "core/trace/limitGrid.h"
+#include "core/trace/patchSquare.h"
+#include "core/trace/surface.h"
+
+namespace cc {
+
+/// A part of a patch, and its limit grid as far as rays have reached it.
+struct EvaluatedGrid {
+    const Surface* surface = nullptr;
+    uint32_t patch = 0;
+    Square square{0, 0, 0};
+    bool isTransposed = false;  ///< columns run along v
+    float tolerance = 0;        ///< how far apart neighbours may have points that they share
+    uint32_t missingRows = 0;   ///< a bit for each row of points that is not evaluated yet
+    BezierRows bezier;          ///< what missing rows are evaluated from
+    GridFrame frame;
+    LimitGrid points;
+};
+
+/// The limit grids that the rays of a batch share: a few of those that were evaluated last. They
+/// take the same memory however large the scene is, and die with the batch. One a thread; surfaces
+/// must not change meanwhile.
+class SharedGrids {
+  public:
+    SharedGrids() : _grids(std::make_unique<EvaluatedGrid[]>(kCount)) {}
+
+    /// The place of a grid. If it holds another grid, or none, whoever asks fills it.
+    EvaluatedGrid& At(const Surface& surface, uint32_t patch, const Square& square) {
+        const auto part = static_cast<uint32_t>(square.u * 256 + square.v * 65536);
+        const auto mesh = static_cast<uint32_t>(reinterpret_cast<uintptr_t>(&surface) >> 6);
+        return _grids[((patch ^ mesh) * 0x9e3779b1u + part * 0x85ebca6bu) >> (32 - kBits)];
+    }
+
+    /// Ends a batch: what follows may trace other surfaces, or the same at another level.
+    void Clear() {
+        for (int i = 0; i < kCount; ++i) {
+            _grids[i].surface = nullptr;
+        }
+    }
+
+    static bool Holds(const EvaluatedGrid& grid, const Surface& surface, uint32_t patch,
+                      const Square& square) {
+        return grid.patch == patch && grid.surface == &surface && grid.square.u == square.u &&
+               grid.square.v == square.v && grid.square.size == square.size;
+    }
+
+  private:
+    static constexpr int kBits = 7, kCount = 1 << kBits;
+    std::unique_ptr<EvaluatedGrid[]> _grids;
+};
+
+}  // namespace cc
