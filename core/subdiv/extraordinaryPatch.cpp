@@ -144,4 +144,15 @@ void ExtraordinaryPatch::LimitCorners(Vec3f corners[4]) const {
     corners[3] = RegularLimit(grid, 2, 1);
 }
 
+ExtraordinaryPatch GatherExtraordinary(const PatchTable& patches, uint32_t patch,
+                                       const Vec3f* values) {
+    const uint32_t* indices = patches.Indices(patch);
+    ExtraordinaryPatch::Points points;
+    points.resize(static_cast<size_t>(patches.IndexCount(patch)));
+    for (size_t i = 0; i < points.size(); ++i) {
+        points[i] = values[indices[i]];
+    }
+    return {points.data(), patches.At(patch).valence};
+}
+
 }  // namespace cc

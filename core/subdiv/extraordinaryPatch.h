@@ -2,6 +2,7 @@
 
 #include "core/math/inlineVector.h"
 #include "core/math/vec.h"
+#include "core/subdiv/patchTable.h"
 
 namespace cc {
 
@@ -54,5 +55,9 @@ class ExtraordinaryPatch {
     Points _points;
     Points _scratch;
 };
+
+/// @param values  one value a patch point
+ExtraordinaryPatch GatherExtraordinary(const PatchTable& patches, uint32_t patch,
+                                       const Vec3f* values);
 
 }  // namespace cc

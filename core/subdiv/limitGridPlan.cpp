@@ -10,6 +10,7 @@
 #include <tbb/parallel_for.h>
 
 #include "core/subdiv/limitGrid.h"
+#include "core/subdiv/limitHull.h"
 
 namespace cc {
 namespace {
@@ -37,9 +38,10 @@ void AppendRing(const PatchTable& patches, const PatchRing& ring, uint32_t face,
     const uint32_t edgeCount = ring.faceCount + (ring.isClosed ? 0 : 1);
     const uint32_t first = ring.isClosed ? face : 0;
     const RingTags tags = patches.TagsOf(ring);
-    signature->insert(signature->end(),
-                      {ring.faceCount, ring.isClosed, face - first, ring.outsideCount,
-                       static_cast<uint32_t>(tags.decay), Bits(tags.vertexSharpness)});
+    signature->insert(
+        signature->end(),
+        {ring.faceCount, ring.isClosed, face - first, ring.outsideCount, ring.outsideNeighborCount,
+         static_cast<uint32_t>(tags.decay), Bits(tags.vertexSharpness)});
     for (uint32_t edge = 0; edge < edgeCount; ++edge) {
         signature->push_back(Bits(tags.edgeSharpness[(first + edge) % edgeCount]));
     }
@@ -76,19 +78,17 @@ std::vector<uint16_t> MakePicks(const ControlPoints& points) {
     return picks;
 }
 
-void EvaluateBasis(const PatchTable& patches, uint32_t patch, const std::vector<Vec3f>& values,
-                   LimitPoints* points) {
-    if (patches.At(patch).kind == PatchKind::Irregular) {
-        EvaluateLimitPoints(GatherIrregular(patches, patch, values.data()), kMaxGridSplits, points);
-        return;
-    }
-    ExtraordinaryPatch::Points ring;
-    ring.resize(patches.IndexCount(patch));
-    for (size_t i = 0; i < ring.size(); ++i) {
-        ring[i] = values[patches.Indices(patch)[i]];
-    }
-    EvaluateLimitPoints(ExtraordinaryPatch(ring.data(), patches.At(patch).valence), kMaxGridSplits,
-                        points);
+/// What a plan has weights for, of a patch with some control points.
+struct PlannedPoints {
+    LimitPoints grid;
+    std::vector<Vec3f> hull;
+};
+
+template <class AnyPatch>
+void Evaluate(const AnyPatch& patch, PlannedPoints* points) {
+    EvaluateLimitPoints(patch, kMaxGridSplits, &points->grid);
+    points->hull.clear();
+    AppendHull(patch, &points->hull);
 }
 
 /// Spreads one axis of the grid's points over a pick's weights.
@@ -101,6 +101,40 @@ void StoreWeights(const LimitPoints& points, int axis, float* weights) {
     }
 }
 
+/// The weights of a hull's points, once each: neighbouring parts have some in common.
+class HullWeights {
+  public:
+    explicit HullWeights(size_t pickCount) : _pickCount(pickCount) {}
+
+    /// Takes the weights of one pick, for all points.
+    void Set(size_t pick, const std::vector<Vec3f>& hull, int axis) {
+        _rows.resize(hull.size(), std::vector<float>(_pickCount));
+        for (size_t i = 0; i < hull.size(); ++i) {
+            _rows[i][pick] = hull[i][axis];
+        }
+    }
+
+    /// As LimitGridPlan has them.
+    std::vector<float> Take() {
+        std::sort(_rows.begin(), _rows.end());
+        _rows.erase(std::unique(_rows.begin(), _rows.end()), _rows.end());
+        while (_rows.size() % LimitGridPlan::kHullPadding != 0) {
+            _rows.push_back(_rows.front());
+        }
+        std::vector<float> weights;
+        for (size_t pick = 0; pick < _pickCount; ++pick) {
+            for (const std::vector<float>& row : _rows) {
+                weights.push_back(row[pick]);
+            }
+        }
+        return weights;
+    }
+
+  private:
+    size_t _pickCount;
+    std::vector<std::vector<float>> _rows;
+};
+
 /// Evaluates a patch whose control points are 1 one after the other, three of them at a time.
 /// @param values  one a patch point, all zero; zero again afterwards
 LimitGridPlan MakePlan(const PatchTable& patches, uint32_t patch, std::vector<Vec3f>* zeroes) {
@@ -109,20 +143,26 @@ LimitGridPlan MakePlan(const PatchTable& patches, uint32_t patch, std::vector<Ve
     GatherControlPoints(patches, patch, &points);
     std::vector<uint16_t> picks = MakePicks(points);
     std::vector<float> weights(picks.size() * LimitGridPlan::kWeightCount, 0.0f);
+    HullWeights hull(picks.size());
+    PlannedPoints planned;
     for (size_t first = 0; first < picks.size(); first += 3) {
         const size_t count = std::min<size_t>(3, picks.size() - first);
         for (size_t i = 0; i < count; ++i) {
             values[points[picks[first + i]]][static_cast<int>(i)] = 1;
         }
-        LimitPoints grid;
-        EvaluateBasis(patches, patch, values, &grid);
+        if (patches.At(patch).kind == PatchKind::Irregular) {
+            Evaluate(GatherIrregular(patches, patch, values.data()), &planned);
+        } else {
+            Evaluate(GatherExtraordinary(patches, patch, values.data()), &planned);
+        }
         for (size_t i = 0; i < count; ++i) {
             values[points[picks[first + i]]] = {};
-            StoreWeights(grid, static_cast<int>(i),
+            StoreWeights(planned.grid, static_cast<int>(i),
                          &weights[(first + i) * LimitGridPlan::kWeightCount]);
+            hull.Set(first + i, planned.hull, static_cast<int>(i));
         }
     }
-    return LimitGridPlan(std::move(picks), std::move(weights));
+    return LimitGridPlan(std::move(picks), std::move(weights), hull.Take());
 }
 
 /// The plan of an extraordinary patch whose points are all different.
@@ -139,7 +179,7 @@ LimitGridPlan MakePlanOfValence(int valence) {
         values[i].x = 0;
         StoreWeights(grid, 0, &weights[i * LimitGridPlan::kWeightCount]);
     }
-    return LimitGridPlan(std::move(picks), std::move(weights));
+    return LimitGridPlan(std::move(picks), std::move(weights), {});
 }
 
 /// The plans of the process, by signature.
@@ -229,6 +269,9 @@ void GatherControlPoints(const PatchTable& patches, uint32_t patch, ControlPoint
         points->push_back(around[0]);
         for (uint32_t i = 0; i < count; ++i) {
             points->push_back(around[1 + (first + i < count ? first + i : first + i - count)]);
+        }
+        for (uint32_t i = 0; i < ring.outsideNeighborCount; ++i) {
+            points->push_back(around[1 + count + i]);
         }
     }
 }

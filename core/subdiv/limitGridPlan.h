@@ -12,30 +12,37 @@
 
 namespace cc {
 
-/// How the finest limit grid of a patch follows from its control points: every point is a weighted
-/// sum of them. The weights depend on topology and tags alone, so that all patches with the same
-/// 1-ring share a plan; with one, an extraordinary or creased patch is evaluated without any
-/// subdivision.
+/// How the finest limit grid of a patch, and a hull around it, follow from its control points:
+/// every point is a weighted sum of them. The weights depend on topology and tags alone, so that
+/// all patches with the same 1-ring share a plan; with one, an extraordinary or creased patch is
+/// evaluated and bounded without any subdivision.
 class LimitGridPlan {
   public:
     /// Weights are in the order of a limit grid: rows 0..16 of columns 0..15, then column 16 of all
     /// rows; padded to a multiple of 64.
     static constexpr int kWeightCount = (kMaxGridSide + 4) * kMaxGridSide;
+    /// The points of a hull are padded to a multiple of this.
+    static constexpr int kHullPadding = 32;
 
     /// @param picks    the control points that count, by their places in ControlPoints
     /// @param weights  kWeightCount for each pick
-    LimitGridPlan(std::vector<uint16_t> picks, std::vector<float> weights)
-        : _picks(std::move(picks)), _weights(std::move(weights)) {}
+    /// @param hull     as many for each pick as the hull has points (AppendHull)
+    LimitGridPlan(std::vector<uint16_t> picks, std::vector<float> weights, std::vector<float> hull)
+        : _picks(std::move(picks)), _weights(std::move(weights)), _hull(std::move(hull)) {}
 
     const std::vector<uint16_t>& Picks() const { return _picks; }
     const float* Weights(size_t pick) const { return &_weights[pick * kWeightCount]; }
+    /// Points whose convex hull holds the surface; 0 if the plan has no hull.
+    size_t HullCount() const { return _hull.size() / _picks.size(); }
+    const float* HullWeights(size_t pick) const { return _hull.data() + pick * HullCount(); }
     size_t Bytes() const {
-        return _picks.capacity() * sizeof(uint16_t) + _weights.capacity() * sizeof(float);
+        return _picks.capacity() * sizeof(uint16_t) +
+               (_weights.capacity() + _hull.capacity()) * sizeof(float);
     }
 
   private:
     std::vector<uint16_t> _picks;
-    std::vector<float> _weights;
+    std::vector<float> _weights, _hull;
 };
 
 /// Patch points by their index; those of common patches need no allocation.

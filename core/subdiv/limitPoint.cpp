@@ -22,17 +22,6 @@ struct RegularPiece {
     float scale = 1;
 };
 
-ExtraordinaryPatch GatherExtraordinary(const PatchTable& patches, uint32_t patch,
-                                       const Vec3f* values) {
-    const uint32_t* indices = patches.Indices(patch);
-    ExtraordinaryPatch::Points points;
-    points.resize(patches.IndexCount(patch));
-    for (size_t i = 0; i < points.size(); ++i) {
-        points[i] = values[indices[i]];
-    }
-    return ExtraordinaryPatch(points.data(), patches.At(patch).valence);
-}
-
 /// The patch moved by -origin. With the extraordinary vertex's limit in the origin, subdivision
 /// towards it keeps its relative precision however small the patch gets.
 ExtraordinaryPatch MovedToOrigin(const ExtraordinaryPatch& patch, const Vec3f& origin) {

@@ -47,11 +47,7 @@ void Surface::SetPoints(const std::vector<Vec3f>& points) {
     CutPolygons(points, &_patches);
     _patchPoints = _patches.PatchPoints(points);
     SnapToLattice(&_patchPoints);
-    std::vector<Box3f> boxes(_patches.Count());
-    tbb::parallel_for(size_t(0), boxes.size(), [&](size_t i) {
-        boxes[i] = LookAheadBounds(_patches, static_cast<uint32_t>(i), _patchPoints.data());
-    });
-    _bvh.Move(boxes);
+    _bvh.Move(LookAheadBounds(_patches, _plans, _patchPoints.data()));
 }
 
 const Tessellation& Surface::TessellationAt(int level) const {

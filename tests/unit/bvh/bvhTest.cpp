@@ -8,11 +8,6 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
-#include "core/bvh/lookAheadBounds.h"
-#include "core/subdiv/limitPoint.h"
-#include "core/subdiv/patchBuilder.h"
-#include "tests/unit/subdiv/testCages.h"
-
 namespace cc::test {
 namespace {
 
@@ -178,34 +173,6 @@ TEST(Bvh, DoesNotDependOnTheNumberOfThreads) {
         EXPECT_TRUE(IsSame(moved.back(), moved.front()));
     }
     EXPECT_FALSE(IsSame(built.front(), moved.front()));
-}
-
-TEST(LookAheadBounds, HoldTheSurfaceTightly) {
-    for (Cage cage : Catalogue()) {
-        ValidateControlMesh(&cage.mesh, cage.points.size());
-        std::string error;
-        const PatchTable patches = BuildPatchTable(cage.mesh, cage.points.size(), &error);
-        const std::vector<Vec3f> points = patches.PatchPoints(cage.points);
-        for (uint32_t patch = 0; patch < patches.Count(); ++patch) {
-            const Box3f bounds = LookAheadBounds(patches, patch, points.data());
-            Box3f exact, ring;
-            for (int i = 0; i < 289; ++i) {
-                if (patches.IsTriangle(patch) && i % 17 + i / 17 > 16) {
-                    continue;
-                }
-                exact.Extend(EvaluateLimitValue(patches, patch, points.data(), (i % 17) / 16.0f,
-                                                (i / 17) / 16.0f));
-            }
-            EXPECT_TRUE(Holds(bounds, exact)) << cage.name << " patch " << patch;
-            const PatchKind kind = patches.At(patch).kind;
-            if (kind == PatchKind::Regular || kind == PatchKind::RegularTriangle) {
-                for (int i = 0; i < patches.IndexCount(patch); ++i) {
-                    ring.Extend(points[patches.Indices(patch)[i]]);
-                }
-                EXPECT_LT(bounds.Diagonal(), 0.75f * ring.Diagonal()) << cage.name;
-            }
-        }
-    }
 }
 
 }  // namespace
