@@ -4,8 +4,8 @@
 
 namespace cc {
 
-/// The finest limit grid that is evaluated at once: 2^4 x 2^4 quads.
-constexpr int kMaxGridSplits = 4;
+/// The finest limit grid: 2^5 x 2^5 quads.
+constexpr int kMaxGridSplits = 5;
 constexpr int kMaxGridSide = 1 << kMaxGridSplits;
 
 /// Cubic Bernstein weights at parameters i / 2^splits, by even and odd parts: a curve with control
@@ -33,7 +33,7 @@ constexpr CubicWeights MakeCubicWeights(int splits) {
 
 /// By the number of splits.
 inline constexpr std::array<CubicWeights, kMaxGridSplits + 1> kCubicWeights{
-    MakeCubicWeights(0), MakeCubicWeights(1), MakeCubicWeights(2), MakeCubicWeights(3),
-    MakeCubicWeights(4)};
+    MakeCubicWeights(0), MakeCubicWeights(1), MakeCubicWeights(2),
+    MakeCubicWeights(3), MakeCubicWeights(4), MakeCubicWeights(5)};
 
 }  // namespace cc

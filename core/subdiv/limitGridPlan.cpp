@@ -86,18 +86,18 @@ struct PlannedPoints {
 
 template <class AnyPatch>
 void Evaluate(const AnyPatch& patch, PlannedPoints* points) {
-    EvaluateLimitPoints(patch, kMaxGridSplits, &points->grid);
+    EvaluateLimitPoints(patch, kPlanSplits, &points->grid);
     points->hull.clear();
     AppendHull(patch, &points->hull);
 }
 
 /// Spreads one axis of the grid's points over a pick's weights.
 void StoreWeights(const LimitPoints& points, int axis, float* weights) {
-    for (int row = 0; row <= kMaxGridSide; ++row) {
-        for (int column = 0; column < kMaxGridSide; ++column) {
-            weights[kMaxGridSide * row + column] = points.at[row][column][axis];
+    for (int row = 0; row <= kPlanSide; ++row) {
+        for (int column = 0; column < kPlanSide; ++column) {
+            weights[kPlanSide * row + column] = points.at[row][column][axis];
         }
-        weights[kMaxGridSide * (kMaxGridSide + 1) + row] = points.at[row][kMaxGridSide][axis];
+        weights[kPlanSide * (kPlanSide + 1) + row] = points.at[row][kPlanSide][axis];
     }
 }
 
@@ -175,7 +175,7 @@ LimitGridPlan MakePlanOfValence(int valence) {
     for (size_t i = 0; i < values.size(); ++i) {
         values[i].x = 1;
         LimitPoints grid;
-        EvaluateLimitPoints(ExtraordinaryPatch(values.data(), valence), kMaxGridSplits, &grid);
+        EvaluateLimitPoints(ExtraordinaryPatch(values.data(), valence), kPlanSplits, &grid);
         values[i].x = 0;
         StoreWeights(grid, 0, &weights[i * LimitGridPlan::kWeightCount]);
     }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/math/inlineVector.h"
-#include "core/subdiv/cubicWeights.h"
+#include "core/subdiv/limitGrid.h"
 #include "core/subdiv/patchTable.h"
 
 namespace cc {
@@ -20,7 +20,7 @@ class LimitGridPlan {
   public:
     /// Weights are in the order of a limit grid: rows 0..16 of columns 0..15, then column 16 of all
     /// rows; padded to a multiple of 64.
-    static constexpr int kWeightCount = (kMaxGridSide + 4) * kMaxGridSide;
+    static constexpr int kWeightCount = (kPlanSide + 4) * kPlanSide;
     /// The points of a hull are padded to a multiple of this.
     static constexpr int kHullPadding = 32;
 

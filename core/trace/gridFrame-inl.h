@@ -50,8 +50,9 @@ struct EvenControlPoints {
 
     constexpr EvenControlPoints() : places() {
         for (int i = 0; i < 16; ++i) {
-            places[0][i] = static_cast<float>(i % 4) / 3;
-            places[1][i] = static_cast<float>(i / 4) / 3;
+            const int row = i / 4, column = i % 4;
+            places[0][i] = static_cast<float>(column) / 3;
+            places[1][i] = static_cast<float>(row) / 3;
         }
     }
 };

@@ -20,7 +20,7 @@ namespace cc {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-using GridTag = hn::CappedTag<float, kMaxGridSide>;
+using GridTag = hn::CappedTag<float, 16>;
 
 /// Points of a cubic Bezier curve, one a lane, by even and odd parts: run backwards, the curve has
 /// the same even part and the negative odd part, and so exactly the same points. Where two patches
@@ -84,6 +84,7 @@ HWY_INLINE void EvaluateRow(const BezierRows& patch, int splits, int row, LimitG
 
 /// Evaluates a patch by its plan. Sums run relative to the first point, so that they keep their
 /// precision far from the origin.
+/// @param splits    0..kPlanSplits
 /// @param base      the first control point
 /// @param relative  the control points that the plan picks, relative to it, [axis][pick]
 inline void EvaluateGrid(const LimitGridPlan& plan, const Vec3f& base,
@@ -115,19 +116,19 @@ inline void EvaluateGrid(const LimitGridPlan& plan, const Vec3f& base,
             }
         }
     }
-    const int side = grid->side = 1 << splits, step = kMaxGridSide / side;
+    const int side = grid->side = 1 << splits, step = kPlanSide / side;
     for (int axis = 0; axis < 3; ++axis) {
         for (int row = 0; row <= side; ++row) {
-            const float* from = points[axis] + kMaxGridSide * step * row;
+            const float* from = points[axis] + kPlanSide * step * row;
             float* to = grid->points[axis][row];
             if (step == 1) {
-                std::copy(from, from + kMaxGridSide, to);
+                std::copy(from, from + kPlanSide, to);
             } else {
                 for (int column = 0; column < side; ++column) {
                     to[column] = from[step * column];
                 }
             }
-            to[side] = points[axis][kMaxGridSide * (kMaxGridSide + 1) + step * row];
+            to[side] = points[axis][kPlanSide * (kPlanSide + 1) + step * row];
         }
     }
     grid->Fill();

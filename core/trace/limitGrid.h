@@ -14,7 +14,7 @@ struct LimitGrid {
     static constexpr int kLeastColumns = 4, kLeastRows = 2;
     static constexpr int kStride = kMaxGridSide + 4;
 
-    int side;  ///< quads along each side: 1, 2, 4, 8 or 16
+    int side;  ///< quads along each side: 1, 2, 4, 8, 16 or 32
     /// Coordinates of the points [row along v][column along u].
     alignas(64) float points[3][kMaxGridSide + 1][kStride];
 

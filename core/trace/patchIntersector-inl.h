@@ -147,7 +147,7 @@ class PatchIntersector {
         }
         _tolerance = RoundingTolerance(&box.lower, 2);
         const LimitGridPlan* plan = _surface.Plans().Of(patch);
-        if (plan && splits <= kMaxGridSplits) {
+        if (plan && splits <= kPlanSplits) {
             EvaluatedGrid& grid = _GridAt(whole);
             if (!_Holds(grid, whole)) {
                 _EvaluatePlanned(*plan, splits, &grid.points);
@@ -222,6 +222,16 @@ class PatchIntersector {
                                  int firstRay) {
         const LimitGridPlan* plan = _surface.Plans().OfValence(patch.Valence());
         for (; splits > 0; --splits) {
+            if (plan && splits <= kPlanSplits) {
+                EvaluatedGrid& shared = _GridAt(square);
+                LimitGrid grid;
+                const auto& points = patch.ControlPoints();
+                _EvaluatePlan(*plan, [&](size_t i) { return points[i]; }, splits, &grid);
+                TurnGrid(grid, corner, &shared.points);
+                _BeginWhole(square, &shared);
+                _IntersectGrid(&shared, _From(firstRay));
+                return;
+            }
             Box3f box;
             for (const Vec3f& p : patch.ControlPoints()) {
                 box.Extend(p);
@@ -230,13 +240,7 @@ class PatchIntersector {
             if (firstRay >= _rays.rays.count) {
                 return;
             }
-            if (plan && splits <= kMaxGridSplits) {
-                LimitGrid grid;
-                const auto& points = patch.ControlPoints();
-                _EvaluatePlan(*plan, [&](size_t i) { return points[i]; }, splits, &grid);
-                TurnGrid(grid, corner, &_ownGrid.points);
-                _BeginWhole(square, &_ownGrid);
-                _IntersectGrid(&_ownGrid, _From(firstRay));
+            if (_IntersectHeldQuarters(square, _From(firstRay))) {
                 return;
             }
             ++_statistics.subdivisionsIrregular;
@@ -245,8 +249,7 @@ class PatchIntersector {
             for (int i = 0; i < 3; ++i) {
                 Vec3f points[16];
                 TurnGrid(quarters.points[i], corner, points);
-                _IntersectBezier(BezierRows(BezierPatch::FromBSpline(points)),
-                                 square.Quarter(corner + 1 + i), splits - 1, firstRay);
+                _IntersectBSpline(points, square.Quarter(corner + 1 + i), splits - 1, firstRay);
             }
             square = square.Quarter(corner);
         }
@@ -261,8 +264,7 @@ class PatchIntersector {
     void _IntersectIrregular(const IrregularPatch& patch, Square square, int splits, int firstRay) {
         Vec3f bspline[16];
         if (patch.ToBSpline(bspline)) {
-            _IntersectBezier(BezierRows(BezierPatch::FromBSpline(bspline)), square, splits,
-                             firstRay);
+            _IntersectBSpline(bspline, square, splits, firstRay);
             return;
         }
         ExtraordinaryPatch::Points points;
@@ -282,12 +284,29 @@ class PatchIntersector {
         if (firstRay >= _rays.rays.count) {
             return;
         }
+        if (_IntersectHeldQuarters(square, _From(firstRay))) {
+            return;
+        }
         ++_statistics.subdivisionsIrregular;
         IrregularPatch quarters[4];
         patch.Subdivide(quarters);
         for (int i = 0; i < 4; ++i) {
             _IntersectIrregular(quarters[i], square.Quarter(i), splits - 1, firstRay);
         }
+    }
+
+    /// Intersects rays with the grids of the quarters of a square, if the batch has all of them.
+    bool _IntersectHeldQuarters(const Square& square, uint64_t hitting) {
+        for (int i = 0; i < 4; ++i) {
+            const Square quarter = square.Quarter(i);
+            if (!_grids || !_Holds(_grids->At(_surface, _patch, quarter), quarter)) {
+                return false;
+            }
+        }
+        for (int i = 0; i < 4; ++i) {
+            _IntersectGrid(&_GridAt(square.Quarter(i)), hitting);
+        }
+        return true;
     }
 
     void _IntersectLimitQuad(const Vec3f corners[4], const Square& square, int firstRay) {
@@ -308,6 +327,17 @@ class PatchIntersector {
 
     int _FirstRay(const Box3f& box, int firstRay) const {
         return FirstRayIn(_rays, box, firstRay, &_statistics);
+    }
+
+    /// A regular part of a patch that is not. If it is a grid, it is one whether rays hit its hull
+    /// or not, so that the next packet finds all quarters.
+    void _IntersectBSpline(const Vec3f points[16], const Square& square, int splits, int firstRay) {
+        const BezierRows bezier(BezierPatch::FromBSpline(points));
+        if (splits <= kMaxGridSplits) {
+            _IntersectPart({bezier, square, splits, firstRay, false}, _From(firstRay));
+        } else {
+            _IntersectBezier(bezier, square, splits, firstRay);
+        }
     }
 
     void _IntersectBezier(const BezierRows& bezier, const Square& square, int splits,
@@ -387,7 +417,7 @@ class PatchIntersector {
         grid->frame = GridFrame(corners, side);
         MeasureDeviation(bezier, &grid->frame);
         grid->frame.Widen(_tolerance);
-        grid->missingRows = (2u << std::max(side, LimitGrid::kLeastRows)) - 1;
+        grid->missingRows = (uint64_t(2) << std::max(side, LimitGrid::kLeastRows)) - 1;
         _Place(place, grid);
     }
 
@@ -406,10 +436,10 @@ class PatchIntersector {
 
     /// Evaluates rows of points that are not there yet.
     static HWY_INLINE void _Require(int first, int last, EvaluatedGrid* grid) {
-        uint32_t missing = ((2u << last) - (1u << first)) & grid->missingRows;
+        uint64_t missing = ((uint64_t(2) << last) - (uint64_t(1) << first)) & grid->missingRows;
         grid->missingRows &= ~missing;
         for (; missing != 0; missing &= missing - 1) {
-            EvaluateRow(grid->bezier, __builtin_ctz(grid->points.side), __builtin_ctz(missing),
+            EvaluateRow(grid->bezier, __builtin_ctz(grid->points.side), __builtin_ctzll(missing),
                         &grid->points);
         }
     }

@@ -19,7 +19,7 @@ struct EvaluatedGrid {
     Square square{0, 0, 0};
     bool isTransposed = false;  ///< columns run along v
     float tolerance = 0;        ///< how far apart neighbours may have points that they share
-    uint32_t missingRows = 0;   ///< a bit for each row of points that is not evaluated yet
+    uint64_t missingRows = 0;   ///< a bit for each row of points that is not evaluated yet
     BezierRows bezier;          ///< what missing rows are evaluated from
     GridFrame frame;
     LimitGrid points;

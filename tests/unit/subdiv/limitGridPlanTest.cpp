@@ -27,8 +27,8 @@ Vec3f PlannedPoint(const BuiltCage& built, uint32_t patch, const LimitGridPlan& 
                    int column) {
     ControlPoints indices;
     GatherControlPoints(built.patches, patch, &indices);
-    const int at = column < kMaxGridSide ? kMaxGridSide * row + column
-                                         : kMaxGridSide * (kMaxGridSide + 1) + row;
+    const int at =
+        column < kPlanSide ? kPlanSide * row + column : kPlanSide * (kPlanSide + 1) + row;
     Vec3f sum;
     for (size_t i = 0; i < plan.Picks().size(); ++i) {
         sum += built.points[indices[plan.Picks()[i]]] * plan.Weights(i)[at];
