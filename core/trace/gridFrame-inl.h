@@ -187,10 +187,9 @@ HWY_INLINE uint64_t FindQuads(D d, const GridFrame& frame, const ObjectRays& ray
     const hn::Rebind<int32_t, D> di;
     const int lanes = static_cast<int>(hn::Lanes(d));
     const uint64_t group = (uint64_t(1) << lanes) - 1;
-    const auto last = hn::Set(di, frame.side - 1);
+    const V last = hn::Set(d, static_cast<float>(frame.side - 1));
     const auto store = [&](V place, int32_t* to) {
-        const auto quad = hn::ConvertTo(di, hn::Floor(place));
-        hn::Store(hn::Min(hn::Max(quad, hn::Zero(di)), last), di, to);
+        hn::Store(hn::ConvertTo(di, hn::Min(hn::Max(place, hn::Zero(d)), last)), di, to);
     };
     uint64_t meeting = 0;
     for (int first = 0; first < rays.count; first += lanes) {

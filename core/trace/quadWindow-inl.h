@@ -62,7 +62,11 @@ class QuadWindow {
     /// @param column,row  of the window's first quad
     /// @param tolerance   how far apart neighbours may have the points that they share; mostly 0
     QuadWindow(const LimitGrid& grid, int column, int row, float tolerance, const ShearedRay& ray)
-        : _grid(grid), _column(column), _row(row), _tolerance(tolerance), _ray(ray) {}
+        : _side(grid.side), _column(column), _row(row), _tolerance(tolerance), _ray(ray) {
+        for (int k = 0; k < 3; ++k) {
+            _points[k] = &grid.points[ray.axes[k]][row][column];
+        }
+    }
 
     /// Takes the nearest hit that lies in [tMin, hit->t], if there is one. Of hits at the same
     /// distance it is that of the last triangle, whichever windows the grid is seen through.
@@ -87,18 +91,19 @@ class QuadWindow {
         V shearedX, shearedY;
     };
 
-    HWY_INLINE V _Relative(int k, int column, int row) const {
+    /// @param offset  of the first quad's corner from that of the window
+    HWY_INLINE V _Relative(int k, size_t offset) const {
         const Tag d;
-        const float* from = &_grid.points[_ray.axes[k]][row][column];
-        return hn::Sub(LoadFours(d, from, LimitGrid::kStride), hn::Set(d, _ray.origin[k]));
+        return hn::Sub(LoadFours(d, _points[k] + offset, LimitGrid::kStride),
+                       hn::Set(d, _ray.origin[k]));
     }
 
-    HWY_INLINE Corner _Corner(int column, int row) const {
+    HWY_INLINE Corner _Corner(size_t offset) const {
         const Tag d;
         Corner corner;
-        corner.x = _Relative(0, column, row);
-        corner.y = _Relative(1, column, row);
-        corner.z = _Relative(2, column, row);
+        corner.x = _Relative(0, offset);
+        corner.y = _Relative(1, offset);
+        corner.z = _Relative(2, offset);
         corner.shearedX = hn::NegMulAdd(hn::Set(d, _ray.shear[0]), corner.z, corner.x);
         corner.shearedY = hn::NegMulAdd(hn::Set(d, _ray.shear[1]), corner.z, corner.y);
         return corner;
@@ -111,9 +116,10 @@ class QuadWindow {
     }
 
     HWY_INLINE void _IntersectVector(size_t lane, GridHit* best) const {
-        const int row = _row + static_cast<int>(lane) / kColumns;
-        const Corner c[4] = {_Corner(_column, row), _Corner(_column + 1, row),
-                             _Corner(_column + 1, row + 1), _Corner(_column, row + 1)};
+        constexpr size_t kRow = LimitGrid::kStride;
+        const size_t first = lane / kColumns * kRow;
+        const Corner c[4] = {_Corner(first), _Corner(first + 1), _Corner(first + kRow + 1),
+                             _Corner(first + kRow)};
         const V edges[kEdgeCount] = {_Edge(c[0], c[1]), _Edge(c[1], c[2]), _Edge(c[2], c[0]),
                                      _Edge(c[2], c[3]), _Edge(c[3], c[0])};
         const V slack = _Slack(c[0], c[2]);
@@ -186,7 +192,7 @@ class QuadWindow {
         const float t = height * _ray.shear[2] * inverse;
         const int row = _row + static_cast<int>(quad) / kColumns;
         const int column = _column + static_cast<int>(quad) % kColumns;
-        const int triangle = 2 * (row * _grid.side + column) + static_cast<int>(isUpper);
+        const int triangle = 2 * (row * _side + column) + static_cast<int>(isUpper);
         // Not so for a triangle without area, too: t is not a number then.
         const bool isNearer = t < best->t || (t == best->t && triangle > best->triangle);
         if (!(t >= _ray.tMin && isNearer)) {
@@ -215,8 +221,8 @@ class QuadWindow {
 
     static float _Clamp(float x) { return x > 0 ? (x < 1 ? x : 1) : 0; }
 
-    const LimitGrid& _grid;
-    const int _column, _row;
+    const float* _points[3];  ///< of the window's first corner, in the order of the ray's axes
+    const int _side, _column, _row;
     const float _tolerance;
     const ShearedRay& _ray;
 };

@@ -24,7 +24,7 @@ void TracePatches(const InstanceBvh& instances, int level, const RayPacket& worl
                          [&](const Surface& surface, uint32_t instance, Rays* rays) {
                              PatchIntersector<Rays, kAnyHit> intersector(
                                  surface, instance, level, rays, hits, grids, statistics);
-                             TraverseBvh(
+                             TraverseBvh<kAnyHit ? ChildOrder::Any : ChildOrder::NearestFirst>(
                                  surface.PatchBvh(), rays, statistics,
                                  [&](uint32_t patch, uint64_t hitting, const Box3f& box) {
                                      intersector.Intersect(patch, hitting, box);

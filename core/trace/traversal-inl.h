@@ -54,9 +54,14 @@ struct SingleRay {
 
 /// Below this many rays each is tested against all boxes of a node at once, else each box against
 /// all rays at once.
-constexpr int kFewRays = 16;
+constexpr int kFewRays = 12;
 
-/// Entries of a traversal: boxes that rays may hit, the nearest on top among those of a node.
+/// The order in which the children of a node are visited: any will do for rays that end at whatever
+/// they hit.
+enum class ChildOrder { NearestFirst, Any };
+
+/// Entries of a traversal: boxes that rays may hit.
+template <ChildOrder kOrder>
 class TraversalStack {
   public:
     /// Not a Box3f, which a stack of them would make empty first.
@@ -78,12 +83,15 @@ class TraversalStack {
     bool IsEmpty() const { return _size == 0; }
     Entry Pop() { return _entries[--_size]; }
 
-    /// Children that are pushed from here on are sorted by their distance.
+    /// Children that are pushed from here on are sorted by their distance, the nearest on top, if
+    /// the order asks for it.
     void BeginNode() { _bottom = _size; }
 
     HWY_INLINE void Push(const WideBoxes& boxes, int slot, const Entry& entry) {
         int at = _size++;
-        for (; at > _bottom && _entries[at - 1].distance < entry.distance; --at) {
+        for (; kOrder == ChildOrder::NearestFirst && at > _bottom &&
+               _entries[at - 1].distance < entry.distance;
+             --at) {
             _entries[at] = _entries[at - 1];
         }
         _entries[at] = entry;
@@ -127,9 +135,9 @@ struct RaysOfBoxes {
 
 /// Pushes the children of a node that rays may hit, and calls prefetch with those that are
 /// primitives.
-template <class Rays, class Prefetch>
+template <ChildOrder kOrder, class Rays, class Prefetch>
 HWY_INLINE void PushChildren(const BvhNode& node, const Rays& rays, uint64_t among,
-                             TraversalStack* stack, const Prefetch& prefetch) {
+                             TraversalStack<kOrder>* stack, const Prefetch& prefetch) {
     const auto announce = [&](uint32_t child) {
         if ((child & kBvhLeaf) != 0) {
             prefetch(child & ~kBvhLeaf);
@@ -171,22 +179,22 @@ inline uint64_t RaysThatReach(const ObjectRays& rays, uint64_t among, float dist
     return reaching;
 }
 
-/// Walks a BVH depth first, nearest child first, and calls leaf(primitive, hitting, box) for every
+/// Walks a BVH depth first and calls leaf(primitive, hitting, box) for every
 /// primitive whose box a ray hits; hitting has a bit for each ray that does. The walk ends when
 /// leaf returns false.
 /// @param prefetch  called with primitives that leaf is likely to be called with
-template <class Rays, class Leaf, class Prefetch>
+template <ChildOrder kOrder, class Rays, class Leaf, class Prefetch>
 HWY_INLINE void TraverseBvh(const Bvh& bvh, Rays* rays, TraceStatistics* statistics,
                             const Leaf& leaf, const Prefetch& prefetch) {
     if (bvh.IsEmpty()) {
         return;
     }
     const typename Rays::Tag d;
-    TraversalStack stack;
+    TraversalStack<kOrder> stack;
     ++statistics->traversals;
     PushChildren(bvh.Nodes()[0], *rays, AllRays(rays->rays), &stack, prefetch);
     while (!stack.IsEmpty()) {
-        const TraversalStack::Entry entry = stack.Pop();
+        const typename TraversalStack<kOrder>::Entry entry = stack.Pop();
         const Box3f box = entry.Box();
         uint64_t hitting = 0;
         if (entry.isCertain) {
@@ -206,10 +214,11 @@ HWY_INLINE void TraverseBvh(const Bvh& bvh, Rays* rays, TraceStatistics* statist
     }
 }
 
+/// The same, nearest child first and without prefetching.
 template <class Rays, class Leaf>
 HWY_INLINE void TraverseBvh(const Bvh& bvh, Rays* rays, TraceStatistics* statistics,
                             const Leaf& leaf) {
-    TraverseBvh(bvh, rays, statistics, leaf, [](uint32_t) {});
+    TraverseBvh<ChildOrder::NearestFirst>(bvh, rays, statistics, leaf, [](uint32_t) {});
 }
 
 }  // namespace HWY_NAMESPACE
