@@ -51,21 +51,27 @@ struct Bin {
         box.Extend(bin.box);
         count += bin.count;
     }
+    /// Of a bin that is not empty, by the surface area heuristic.
+    float Cost() const {
+        const Float4 size = box.upper - box.lower;
+        const float area = size[0] * size[1] + size[1] * size[2] + size[2] * size[0];
+        return area * static_cast<float>(count);
+    }
 };
 
 /// The bins of a range along each axis, by the centres of primitives.
 class Bins {
   public:
-    explicit Bins(const Range& range)
-        : _lower(range.centerBox.lower), _width(range.centerBox.upper - _lower) {
-        // Along a flat axis all primitives are in the first bin.
-        _width = _width > 0 ? _width : Float4{1, 1, 1, 1};
+    explicit Bins(const Range& range) : _lower(range.centerBox.lower) {
+        const Float4 width = range.centerBox.upper - _lower;
+        // Along a flat axis all primitives are in the first bin. So they are where the width is so
+        // small that its inverse overflows.
+        _scale = width > kLeastWidth ? static_cast<float>(kBinCount) / width : Float4{};
     }
 
     /// The bin of a centre along each axis.
     Int4 Find(const Float4& center) const {
-        const Float4 position = (center - _lower) / _width * static_cast<float>(kBinCount);
-        const Int4 bin = __builtin_convertvector(position, Int4);
+        const Int4 bin = __builtin_convertvector((center - _lower) * _scale, Int4);
         return bin < kBinCount ? bin : kBinCount - 1;
     }
 
@@ -89,7 +95,9 @@ class Bins {
     const std::array<Bin, kBinCount>& Along(int axis) const { return _bins[axis]; }
 
   private:
-    Float4 _lower, _width;
+    static constexpr float kLeastWidth = 1e-36f;
+
+    Float4 _lower, _scale;
     std::array<Bin, kBinCount> _bins[3];
 };
 
@@ -248,10 +256,13 @@ class Builder {
     }
 
     void _SplitInto(std::array<Range, kBvhWidth>* ranges, int* count, int which, int depth) {
-        Range& range = (*ranges)[which];
-        const size_t middle = _Split(range, depth);
-        (*ranges)[(*count)++] = Measure(middle, range.end);
-        range = Measure(range.begin, middle);
+        Range& left = (*ranges)[which];
+        Range& right = (*ranges)[(*count)++];
+        if (depth >= kMaxHeuristicDepth || !_Split(left, &left, &right)) {
+            const size_t middle = left.begin + left.Size() / 2;
+            right = Measure(middle, left.end);
+            left = Measure(left.begin, middle);
+        }
     }
 
     /// Replaces a range by ranges of one primitive each.
@@ -286,50 +297,61 @@ class Builder {
         });
     }
 
-    /// The cheapest plane between bins of one axis.
+    /// The cheapest plane between bins of one axis. Beside an empty bin, two planes are the same.
     static void _TryAxis(const Range& range, const Bins& allBins, int axis, Plane* best) {
-        if (!(range.centerBox.upper[axis] > range.centerBox.lower[axis])) {
-            return;
-        }
         const std::array<Bin, kBinCount>& bins = allBins.Along(axis);
-        std::array<float, kBinCount> leftCost{};
+        std::array<float, kBinCount> leftCost;
+        leftCost[0] = 0;
         Bin left;
         for (int b = 0; b + 1 < kBinCount; ++b) {
-            left.Extend(bins[b]);
-            leftCost[b + 1] =
-                left.count > 0 ? left.box.HalfArea() * static_cast<float>(left.count) : 0;
+            leftCost[b + 1] = leftCost[b];
+            if (bins[b].count > 0) {
+                left.Extend(bins[b]);
+                leftCost[b + 1] = left.Cost();
+            }
         }
         Bin right;
         for (int b = kBinCount - 1; b > 0; --b) {
-            right.Extend(bins[b]);
-            if (right.count == 0 || right.count == range.Size()) {
+            if (bins[b].count == 0) {
                 continue;
             }
-            const float cost = leftCost[b] + right.box.HalfArea() * static_cast<float>(right.count);
-            if (cost < best->cost) {
+            right.Extend(bins[b]);
+            const float cost = leftCost[b] + right.Cost();
+            if (right.count < range.Size() && cost < best->cost) {
                 *best = {axis, b, cost};
             }
         }
     }
 
-    /// Reorders a range's primitives; returns where its right part begins.
-    size_t _Split(const Range& range, int depth) {
-        Plane plane;
-        if (depth >= kMaxHeuristicDepth) {
-            return range.begin + range.Size() / 2;
-        }
+    /// Reorders a range's primitives and measures its parts. Returns false if no plane divides
+    /// them.
+    /// @param left  may be the range itself
+    bool _Split(const Range& range, Range* left, Range* right) {
         const Bins bins = _FillBins(range);
+        Plane plane;
         for (int axis = 0; axis < 3; ++axis) {
             _TryAxis(range, bins, axis, &plane);
         }
         if (plane.axis < 0) {
-            return range.begin + range.Size() / 2;  // all centres coincide
+            return false;  // all centres coincide
         }
+        Range parts[2]{};
         const auto begin = _primitives.begin() + range.begin, end = _primitives.begin() + range.end;
         const auto middle = std::partition(begin, end, [&](const Primitive& p) {
-            return bins.Find(p.Center())[plane.axis] < plane.bin;
+            const Float4 center = p.Center();
+            const bool isLeft = bins.Find(center)[plane.axis] < plane.bin;
+            parts[isLeft ? 0 : 1].centerBox.Extend(center);
+            return isLeft;
         });
-        return middle - _primitives.begin();
+        for (int b = 0; b < kBinCount; ++b) {
+            parts[b < plane.bin ? 0 : 1].box.Extend(bins.Along(plane.axis)[b].box);
+        }
+        parts[0].begin = range.begin;
+        parts[0].end = parts[1].begin = middle - _primitives.begin();
+        parts[1].end = range.end;
+        *left = parts[0];
+        *right = parts[1];
+        return true;
     }
 
     std::vector<Primitive>& _primitives;

@@ -67,6 +67,9 @@ bool RenderFrame(const Scene& scene, const Camera& camera, const RenderOptions& 
         }
         return true;
     }
+    if (valid.tracer == TracerKind::Tessellated && !scene.TessellationFits()) {
+        valid.tracer = TracerKind::Packet;  // as Scene::Build has said
+    }
     const std::unique_ptr<Tracer> tracer = MakeTracer(valid.tracer, valid.level);
     const TileRenderer renderer(scene, cameraRays, *tracer, valid, film);
     const std::vector<Tile> tiles = TilesFromTheMiddle(film->Width(), film->Height());

@@ -9,6 +9,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include "core/scene/tessellationMemory.h"
 #include "core/subdiv/limitGridPlan.h"
 
 namespace cc {
@@ -92,7 +93,7 @@ std::vector<std::string> Scene::Build(const std::vector<std::string>& renderTags
     std::vector<std::string> lines;
     const bool meshesChanged = _BuildMeshes(meshes, &lines);
     _BuildTopLevel(meshes, meshesChanged);
-    _Tessellate(tessellationLevel);
+    _Tessellate(tessellationLevel, &lines);
     _work.buildSeconds = SecondsSince(start);
     return lines;
 }
@@ -142,16 +143,33 @@ int Scene::PrimvarArity(const std::string& name) const {
 }
 
 /// Tessellates the surfaces that are shown, if a level is given, and drops all other tessellations.
-void Scene::_Tessellate(std::optional<int> level) const {
+void Scene::_Tessellate(std::optional<int> level, std::vector<std::string>* lines) {
+    const bool isOtherLevel = std::exchange(_tessellationLevel, level) != level;
     const std::unordered_set<const Mesh*> shown(_instanceMeshes.begin(), _instanceMeshes.end());
-    tbb::parallel_for(size_t(0), _meshes.size(), [&](size_t i) {
-        const Mesh* mesh = _meshes[i].get();
-        if (level && shown.count(mesh) != 0) {
-            mesh->_surface->TessellationAt(*level);
-        } else if (mesh->_surface) {
+    std::vector<Surface*> surfaces;
+    for (const auto& mesh : _meshes) {
+        const bool isShown = level && shown.count(mesh.get()) != 0;
+        if (isShown) {
+            surfaces.push_back(mesh->_surface.get());
+        }
+        if (mesh->_surface && (!isShown || isOtherLevel)) {
             mesh->_surface->DropTessellation();
         }
-    });
+    }
+    const std::string obstacle = level ? WhyNotTessellate(surfaces, *level) : std::string();
+    const bool isNews = isOtherLevel || _tessellationFits;
+    _tessellationFits = obstacle.empty();
+    if (_tessellationFits) {
+        tbb::parallel_for(size_t(0), surfaces.size(),
+                          [&](size_t i) { surfaces[i]->TessellationAt(*level); });
+        return;
+    }
+    for (Surface* surface : surfaces) {
+        surface->DropTessellation();
+    }
+    if (isNews) {
+        lines->push_back(obstacle + "; packets trace the surface itself");
+    }
 }
 
 Scene::Statistics Scene::GetStatistics() const {

@@ -29,7 +29,8 @@ class Scene {
     /// topology rebuilds one mesh, points only its bounds, a transform only the top level.
     /// @param renderTags         meshes with another tag are left out
     /// @param tessellationLevel  for TracerKind::Tessellated: what is shown is tessellated at this
-    ///                           level, 0..8; without one the memory of tessellations is given back
+    ///                           level, 0..8, unless memory does not hold that; without one the
+    ///                           memory of tessellations is given back
     /// Returns one line for each thing that was wrong, beginning with the mesh's name. A line is
     /// returned once, not at every Build.
     std::vector<std::string> Build(const std::vector<std::string>& renderTags,
@@ -38,6 +39,8 @@ class Scene {
     // After Build:
 
     const InstanceBvh& Instances() const { return _instances; }
+    /// False if the last Build did not tessellate, because memory does not hold what that takes.
+    bool TessellationFits() const { return _tessellationFits; }
     /// The mesh of an instance, by the index that hits carry.
     const Mesh& InstanceMesh(uint32_t instance) const { return *_instanceMeshes[instance]; }
     const std::vector<std::unique_ptr<Light>>& Lights() const { return _lights; }
@@ -60,13 +63,15 @@ class Scene {
   private:
     bool _BuildMeshes(const std::vector<Mesh*>& meshes, std::vector<std::string>* lines);
     void _BuildTopLevel(const std::vector<Mesh*>& meshes, bool meshesChanged);
-    void _Tessellate(std::optional<int> level) const;
+    void _Tessellate(std::optional<int> level, std::vector<std::string>* lines);
 
     std::mutex _mutex;
     std::vector<std::unique_ptr<Mesh>> _meshes;
     std::vector<std::unique_ptr<Light>> _lights;
     std::vector<const Mesh*> _instanceMeshes;
     InstanceBvh _instances;
+    std::optional<int> _tessellationLevel;
+    bool _tessellationFits = true;
     /// Only the counts of work and the time; the rest is added up when asked for.
     Statistics _work;
 };

@@ -144,6 +144,12 @@ void ExtraordinaryPatch::LimitCorners(Vec3f corners[4]) const {
     corners[3] = RegularLimit(grid, 2, 1);
 }
 
+void ExtraordinaryPatch::Translate(const Vec3f& by) {
+    for (Vec3f& p : _points) {
+        p += by;
+    }
+}
+
 ExtraordinaryPatch GatherExtraordinary(const PatchTable& patches, uint32_t patch,
                                        const Vec3f* values) {
     const uint32_t* indices = patches.Indices(patch);

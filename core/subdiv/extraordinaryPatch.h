@@ -46,6 +46,9 @@ class ExtraordinaryPatch {
     /// Limit positions of the quad's corners (0,0) (1,0) (1,1) (0,1).
     void LimitCorners(Vec3f corners[4]) const;
 
+    /// Moves all points.
+    void Translate(const Vec3f& by);
+
   private:
     const Vec3f& _EdgeNeighbor(int i) const { return _points[1 + 2 * (i % _valence)]; }
     const Vec3f& _FaceDiagonal(int i) const { return _points[2 + 2 * (i % _valence)]; }

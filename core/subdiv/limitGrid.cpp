@@ -1,73 +1,52 @@
 #include "core/subdiv/limitGrid.h"
 
-#include "core/subdiv/bezierPatch.h"
-
 namespace cc {
 namespace {
 
-/// A square of the grid that a part of the patch fills.
-struct GridPart {
-    LimitPoints* points;
-    int row, column, side;
-
-    GridPart Quarter(int corner) const {
-        const int half = side / 2;
-        return {points, corner >= 2 ? row + half : row,
-                corner == 1 || corner == 2 ? column + half : column, half};
-    }
-};
-
-void FillRegular(const BezierPatch& patch, const GridPart& part) {
-    const float step = 1 / static_cast<float>(part.side);
-    for (int r = 0; r <= part.side; ++r) {
-        for (int c = 0; c <= part.side; ++c) {
-            part.points->at[part.row + r][part.column + c] =
-                patch.Position(static_cast<float>(c) * step, static_cast<float>(r) * step);
-        }
-    }
-}
-
-void FillCorners(const Vec3f corners[4], const GridPart& part) {
-    auto& at = part.points->at;
-    at[part.row][part.column] = corners[0];
-    at[part.row][part.column + 1] = corners[1];
-    at[part.row + 1][part.column + 1] = corners[2];
-    at[part.row + 1][part.column] = corners[3];
-}
-
-void Fill(const IrregularPatch& patch, const GridPart& part) {
-    Vec3f bspline[16];
-    if (patch.ToBSpline(bspline)) {
-        FillRegular(BezierPatch::FromBSpline(bspline), part);
-    } else if (part.side == 1) {
-        Vec3f corners[4];
-        patch.LimitCorners(corners);
-        FillCorners(corners, part);
-    } else {
-        IrregularPatch quarters[4];
-        patch.Subdivide(quarters);
-        for (int corner = 0; corner < 4; ++corner) {
-            Fill(quarters[corner], part.Quarter(corner));
-        }
-    }
+void FillCorners(const Vec3f corners[4], const LimitSquare& square) {
+    square.At(0, 0) = corners[0];
+    square.At(1, 0) = corners[1];
+    square.At(1, 1) = corners[2];
+    square.At(0, 1) = corners[3];
 }
 
 }  // namespace
 
-void EvaluateLimitPoints(const IrregularPatch& patch, int splits, LimitPoints* points) {
-    points->side = 1 << splits;
-    Fill(patch, {points, 0, 0, points->side});
+void EvaluateLimitGrid(const BezierPatch& patch, const LimitSquare& square) {
+    const float step = 1 / static_cast<float>(square.side);
+    for (int row = 0; row <= square.side; ++row) {
+        for (int column = 0; column <= square.side; ++column) {
+            square.At(column, row) =
+                patch.Position(static_cast<float>(column) * step, static_cast<float>(row) * step);
+        }
+    }
 }
 
-void EvaluateLimitPoints(const ExtraordinaryPatch& patch, int splits, LimitPoints* points) {
-    points->side = 1 << splits;
+void EvaluateLimitGrid(const IrregularPatch& patch, const LimitSquare& square) {
+    Vec3f bspline[16];
+    if (patch.ToBSpline(bspline)) {
+        EvaluateLimitGrid(BezierPatch::FromBSpline(bspline), square);
+    } else if (square.side == 1) {
+        Vec3f corners[4];
+        patch.LimitCorners(corners);
+        FillCorners(corners, square);
+    } else {
+        IrregularPatch quarters[4];
+        patch.Subdivide(quarters);
+        for (int corner = 0; corner < 4; ++corner) {
+            EvaluateLimitGrid(quarters[corner], square.Quarter(corner));
+        }
+    }
+}
+
+void EvaluateLimitGrid(const ExtraordinaryPatch& patch, const LimitSquare& square) {
     ExtraordinaryPatch rest = patch;
-    GridPart part{points, 0, 0, points->side};
+    LimitSquare part = square;
     for (; part.side > 1; part = part.Quarter(0)) {
         ExtraordinaryPatch::RegularQuarters quarters;
         rest.Subdivide(&quarters);
         for (int i = 0; i < 3; ++i) {
-            FillRegular(BezierPatch::FromBSpline(quarters.points[i]), part.Quarter(i + 1));
+            EvaluateLimitGrid(BezierPatch::FromBSpline(quarters.points[i]), part.Quarter(i + 1));
         }
     }
     Vec3f corners[4];

@@ -1,26 +1,30 @@
 #pragma once
 
 #include "core/math/vec.h"
+#include "core/subdiv/bezierPatch.h"
 #include "core/subdiv/extraordinaryPatch.h"
 #include "core/subdiv/irregularPatch.h"
 
 namespace cc {
 
-/// The finest grid that is made into a plan: 2^4 x 2^4 quads.
-constexpr int kPlanSplits = 4;
-constexpr int kPlanSide = 1 << kPlanSplits;
+/// Where the points of a patch's limit grid go: (side + 1)^2 of them in rows along u, that may be
+/// part of a larger array.
+struct LimitSquare {
+    Vec3f* points;
+    int stride;  ///< from a row to the next
+    int side;    ///< quads along each side, a power of two
 
-/// Points of the limit surface of a patch in a square grid of (side + 1)^2.
-struct LimitPoints {
-    int side = 0;  ///< quads along each side: 1, 2, 4, 8 or 16
-    /// [row along v][column along u]
-    Vec3f at[kPlanSide + 1][kPlanSide + 1];
+    Vec3f& At(int column, int row) const { return points[row * stride + column]; }
+    LimitSquare Quarter(int corner) const {
+        const int half = side / 2;
+        const int row = corner >= 2 ? half : 0, column = corner == 1 || corner == 2 ? half : 0;
+        return {&At(column, row), stride, half};
+    }
 };
 
-/// Evaluates a patch at 2^splits x 2^splits quads by subdividing it until its parts are B-splines:
-/// the slow way, for any topology (LimitGridPlan).
-/// @param splits  0..kPlanSplits
-void EvaluateLimitPoints(const IrregularPatch& patch, int splits, LimitPoints* points);
-void EvaluateLimitPoints(const ExtraordinaryPatch& patch, int splits, LimitPoints* points);
+/// Evaluates a patch at all points of a grid, subdividing it until its parts are B-splines.
+void EvaluateLimitGrid(const BezierPatch& patch, const LimitSquare& square);
+void EvaluateLimitGrid(const IrregularPatch& patch, const LimitSquare& square);
+void EvaluateLimitGrid(const ExtraordinaryPatch& patch, const LimitSquare& square);
 
 }  // namespace cc

@@ -78,6 +78,16 @@ std::vector<uint16_t> MakePicks(const ControlPoints& points) {
     return picks;
 }
 
+/// The points of the finest limit grid, in rows along u.
+struct LimitPoints {
+    Vec3f at[kPlanSide + 1][kPlanSide + 1];
+
+    template <class AnyPatch>
+    void Evaluate(const AnyPatch& patch) {
+        EvaluateLimitGrid(patch, {&at[0][0], kPlanSide + 1, kPlanSide});
+    }
+};
+
 /// What a plan has weights for, of a patch with some control points.
 struct PlannedPoints {
     LimitPoints grid;
@@ -86,7 +96,7 @@ struct PlannedPoints {
 
 template <class AnyPatch>
 void Evaluate(const AnyPatch& patch, PlannedPoints* points) {
-    EvaluateLimitPoints(patch, kPlanSplits, &points->grid);
+    points->grid.Evaluate(patch);
     points->hull.clear();
     AppendHull(patch, &points->hull);
 }
@@ -175,7 +185,7 @@ LimitGridPlan MakePlanOfValence(int valence) {
     for (size_t i = 0; i < values.size(); ++i) {
         values[i].x = 1;
         LimitPoints grid;
-        EvaluateLimitPoints(ExtraordinaryPatch(values.data(), valence), kPlanSplits, &grid);
+        grid.Evaluate(ExtraordinaryPatch(values.data(), valence));
         values[i].x = 0;
         StoreWeights(grid, 0, &weights[i * LimitGridPlan::kWeightCount]);
     }

@@ -7,10 +7,13 @@
 #include <vector>
 
 #include "core/math/inlineVector.h"
-#include "core/subdiv/limitGrid.h"
 #include "core/subdiv/patchTable.h"
 
 namespace cc {
+
+/// The finest grid that is made into a plan: 2^4 x 2^4 quads.
+constexpr int kPlanSplits = 4;
+constexpr int kPlanSide = 1 << kPlanSplits;
 
 /// How the finest limit grid of a patch, and a hull around it, follow from its control points:
 /// every point is a weighted sum of them. The weights depend on topology and tags alone, so that

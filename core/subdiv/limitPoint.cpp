@@ -22,16 +22,6 @@ struct RegularPiece {
     float scale = 1;
 };
 
-/// The patch moved by -origin. With the extraordinary vertex's limit in the origin, subdivision
-/// towards it keeps its relative precision however small the patch gets.
-ExtraordinaryPatch MovedToOrigin(const ExtraordinaryPatch& patch, const Vec3f& origin) {
-    ExtraordinaryPatch::Points points = patch.ControlPoints();
-    for (Vec3f& p : points) {
-        p = p - origin;
-    }
-    return ExtraordinaryPatch(points.data(), patch.Valence());
-}
-
 /// Subdivides until (u, v) lies in a regular quarter. Gives up very near the extraordinary vertex.
 RegularPiece FindRegularPiece(ExtraordinaryPatch* patch, float u, float v) {
     RegularPiece piece;
@@ -78,8 +68,11 @@ LimitPoint EvaluateBezier(const BezierPatch& patch, float u, float v) {
 }
 
 LimitPoint EvaluateExtraordinary(const ExtraordinaryPatch& patch, float u, float v) {
+    // With the extraordinary vertex's limit in the origin, subdivision towards it keeps its
+    // relative precision however small the patch gets.
     const Vec3f origin = patch.LimitPosition();
-    ExtraordinaryPatch local = MovedToOrigin(patch, origin);
+    ExtraordinaryPatch local = patch;
+    local.Translate(-origin);
     const RegularPiece piece = FindRegularPiece(&local, u, v);
     LimitPoint point;
     if (piece.isRegular) {

@@ -2,15 +2,32 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
-#include <string>
 
 #include <tbb/parallel_for.h>
 
-#include "core/subdiv/bezierPatch.h"
-#include "core/subdiv/limitPoint.h"
+#include "core/subdiv/limitGrid.h"
+#include "core/subdiv/limitLattice.h"
 
 namespace cc {
+namespace {
+
+/// Of the BVH, for each block.
+constexpr size_t kBvhBytes = 24;
+/// Boxes, and what the BVH is built from.
+constexpr size_t kScratchBytes = 112;
+
+/// Evaluates a patch relative to one of its points, so that little is rounded.
+template <class AnyPatch, class Grid>
+void EvaluateNear(const Vec3f& origin, AnyPatch patch, const Grid& grid, size_t pointCount,
+                  void (*evaluate)(const AnyPatch&, const Grid&)) {
+    patch.Translate(-origin);
+    evaluate(patch, grid);
+    for (size_t i = 0; i < pointCount; ++i) {
+        grid.points[i] += origin;
+    }
+}
+
+}  // namespace
 
 int Tessellation::LevelOf(const PatchTable& patches, int level) {
     return std::max(level, patches.MaxDepth());
@@ -28,20 +45,41 @@ Tessellation::Tessellation(const PatchTable& patches, const std::vector<Vec3f>& 
     _bvh = Bvh(boxes);
 }
 
+Tessellation::Grid Tessellation::_MakeGrid(const PatchTable& patches, uint32_t patch, int level,
+                                           size_t firstPoint) {
+    const Patch& p = patches.At(patch);
+    const int side = p.kind == PatchKind::FlatTriangle ? 1 : 1 << (level - p.depth);
+    return {firstPoint, side, 0, patches.IsTriangle(patch)};
+}
+
+size_t Tessellation::_BlockCount(const Grid& grid) {
+    const size_t blocks = static_cast<size_t>(grid.side / BlockSide(grid));
+    return grid.isTriangle ? blocks * (blocks + 1) / 2 : blocks * blocks;
+}
+
+Tessellation::Need Tessellation::NeedOf(const PatchTable& patches, int level) {
+    size_t pointCount = 0, blockCount = 0;
+    for (uint32_t patch = 0; patch < patches.Count(); ++patch) {
+        const Grid grid = _MakeGrid(patches, patch, LevelOf(patches, level), 0);
+        pointCount += grid.PointCount();
+        blockCount += _BlockCount(grid);
+    }
+    Need need;
+    need.kept = patches.Count() * sizeof(Grid) + pointCount * sizeof(Vec3f) +
+                blockCount * (sizeof(Block) + kBvhBytes);
+    need.whileMade = blockCount * kScratchBytes;
+    need.isPossible = blockCount < kBvhLeaf;
+    return need;
+}
+
 /// Decides where everything goes.
 void Tessellation::_LayOut(const PatchTable& patches) {
     _grids.resize(patches.Count());
     size_t pointCount = 0, blockCount = 0;
     for (uint32_t patch = 0; patch < patches.Count(); ++patch) {
-        const Patch& p = patches.At(patch);
-        const int side = p.kind == PatchKind::FlatTriangle ? 1 : 1 << (_level - p.depth);
-        _grids[patch] = {pointCount, side, 0, patches.IsTriangle(patch)};
+        _grids[patch] = _MakeGrid(patches, patch, _level, pointCount);
         pointCount += _grids[patch].PointCount();
-        const size_t blocks = side / BlockSide(_grids[patch]);
-        blockCount += patches.IsTriangle(patch) ? blocks * (blocks + 1) / 2 : blocks * blocks;
-    }
-    if (blockCount >= kBvhLeaf) {
-        throw std::length_error("a surface has too many quads at level " + std::to_string(_level));
+        blockCount += _BlockCount(_grids[patch]);
     }
     _points.resize(pointCount);
     _blocks.reserve(blockCount);
@@ -59,23 +97,43 @@ void Tessellation::_LayOut(const PatchTable& patches) {
 
 void Tessellation::_Evaluate(const PatchTable& patches, uint32_t patch, const Vec3f* patchPoints) {
     Grid& grid = _grids[patch];
-    const PatchKind kind = patches.At(patch).kind;
-    // Gathered once for all points; the rest is found anew for each.
-    const bool isQuad = kind == PatchKind::Regular || kind == PatchKind::Bilinear;
-    const BezierPatch quad = isQuad ? GatherBezier(patches, patch, patchPoints) : BezierPatch();
-    const auto evaluate = [&](float u, float v) {
-        return isQuad ? quad.Position(u, v) : EvaluateLimitValue(patches, patch, patchPoints, u, v);
-    };
-    Vec3f* point = &_points[grid.firstPoint];
-    float largest = 0;
-    for (int row = 0; row <= grid.side; ++row) {
-        for (int column = 0; column < grid.RowSize(row); ++column, ++point) {
-            const float u = static_cast<float>(column) / static_cast<float>(grid.side);
-            const float v = static_cast<float>(row) / static_cast<float>(grid.side);
-            *point = evaluate(u, v);
-            largest =
-                std::max({largest, std::fabs(point->x), std::fabs(point->y), std::fabs(point->z)});
+    Vec3f* const points = &_points[grid.firstPoint];
+    const size_t count = grid.PointCount();
+    const LimitSquare square{points, grid.side + 1, grid.side};
+    const LimitLattice lattice{points, grid.side};
+    switch (patches.At(patch).kind) {
+        case PatchKind::Regular:
+        case PatchKind::Bilinear:
+            EvaluateLimitGrid(GatherBezier(patches, patch, patchPoints), square);
+            break;
+        case PatchKind::Extraordinary: {
+            const ExtraordinaryPatch gathered = GatherExtraordinary(patches, patch, patchPoints);
+            EvaluateNear(gathered.LimitPosition(), gathered, square, count, EvaluateLimitGrid);
+            break;
         }
+        case PatchKind::Irregular: {
+            const IrregularPatch gathered = GatherIrregular(patches, patch, patchPoints);
+            EvaluateNear(gathered.rings[0].center, gathered, square, count, EvaluateLimitGrid);
+            break;
+        }
+        case PatchKind::RegularTriangle:
+            EvaluateLimitLattice(GatherBezierTriangle(patches, patch, patchPoints), lattice);
+            break;
+        case PatchKind::IrregularTriangle: {
+            const IrregularTriangle gathered = GatherIrregularTriangle(patches, patch, patchPoints);
+            EvaluateNear(gathered.rings[0].center, gathered, lattice, count, EvaluateLimitLattice);
+            break;
+        }
+        case PatchKind::FlatTriangle:
+            for (int i = 0; i < 3; ++i) {
+                points[i] = patchPoints[patches.Indices(patch)[i]];
+            }
+            break;
+    }
+    float largest = 0;
+    for (size_t i = 0; i < count; ++i) {
+        const Vec3f& p = points[i];
+        largest = std::max({largest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
     }
     grid.tolerance = 2.5e-7f * largest;
 }

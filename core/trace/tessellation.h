@@ -18,11 +18,19 @@ class Tessellation {
     /// @param patchPoints  one a patch point
     /// @param level        each base face becomes 2^level x 2^level quads or triangles, 0..8; more
     ///                     where faces were refined deeper, as a mesh must meet at one level
-    /// Throws std::length_error if there are more blocks than the BVH can hold.
+    /// NeedOf must say that it is possible.
     Tessellation(const PatchTable& patches, const std::vector<Vec3f>& patchPoints, int level);
 
     /// The level that a mesh gets where this one is asked for.
     static int LevelOf(const PatchTable& patches, int level);
+
+    /// Memory that a tessellation takes, in bytes, by estimates from above.
+    struct Need {
+        size_t kept = 0;         ///< as long as it is there
+        size_t whileMade = 0;    ///< besides, until it is finished
+        bool isPossible = true;  ///< false if there are more blocks than the BVH can hold
+    };
+    static Need NeedOf(const PatchTable& patches, int level);
 
     int Level() const { return _level; }
 
@@ -63,6 +71,8 @@ class Tessellation {
     size_t Bytes() const;
 
   private:
+    static Grid _MakeGrid(const PatchTable& patches, uint32_t patch, int level, size_t firstPoint);
+    static size_t _BlockCount(const Grid& grid);
     void _LayOut(const PatchTable& patches);
     void _Evaluate(const PatchTable& patches, uint32_t patch, const Vec3f* patchPoints);
     Box3f _BlockBox(const Block& block) const;

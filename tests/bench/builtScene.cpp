@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <stdexcept>
 
 #include "core/trace/tracer.h"
 #include "tracing.h"
@@ -47,6 +48,9 @@ double BuiltScene::Edit(std::vector<std::vector<cc::Vec3f>> points, const Ray& f
 double BuiltScene::Tessellate(int level, int threads) {
     const auto begin = std::chrono::steady_clock::now();
     _Build(threads, level);
+    if (!_scene.TessellationFits()) {
+        throw std::runtime_error("memory does not hold the tessellation");
+    }
     return SecondsSince(begin);
 }
 

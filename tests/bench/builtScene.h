@@ -18,7 +18,8 @@ class BuiltScene {
     /// Moves all points, as an edit does, and traces the first ray. Returns the seconds it took.
     double Edit(std::vector<std::vector<cc::Vec3f>> points, const Ray& firstRay, int threads);
 
-    /// Makes what cc::TracerKind::Tessellated traces, for one level. Returns the seconds it took.
+    /// Makes what cc::TracerKind::Tessellated traces, for one level. Returns the seconds it took;
+    /// throws if memory does not hold it.
     double Tessellate(int level, int threads);
     /// Gives the memory of that back.
     void DropTessellation();

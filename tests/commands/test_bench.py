@@ -1,11 +1,20 @@
 """tools/bench: every suite at a tiny size, and the arithmetic of rows. No times are asserted."""
 
+import argparse
 import json
 import types
 from pathlib import Path
 
 import pytest
-from _lib import bench_columns, bench_embree, bench_measure, bench_programs, bench_table, sdk_setup
+from _lib import (
+    bench_columns,
+    bench_embree,
+    bench_measure,
+    bench_programs,
+    bench_suites,
+    bench_table,
+    sdk_setup,
+)
 from _lib.bench_measure import Contender
 from _lib.bench_suites import SUITES
 from _lib.console import CommandError
@@ -83,6 +92,19 @@ def test_what_does_not_fit_is_left_out(monkeypatch, capsys) -> None:
     said = capsys.readouterr().err.splitlines()
     assert len(said) == 1
     assert said[0].startswith("warning: creature, level 5: embree-subdiv is left out")
+
+
+def test_a_tessellation_that_does_not_fit_is_left_out(capsys) -> None:
+    class Program:
+        def ask(self, *words: object) -> dict:
+            raise CommandError(f"cc_bench {words[0]}: memory does not hold it")
+
+    session = _session()
+    session.program = Program()
+    assert bench_suites.measure_tessellated(session, 5, argparse.Namespace()) == []
+    said = capsys.readouterr().err
+    assert said.startswith("warning: creature, level 5: tessellated is left out")
+    assert "memory does not hold it" in said
 
 
 def test_without_embree_one_line_says_what_to_do(monkeypatch) -> None:

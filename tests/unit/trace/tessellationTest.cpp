@@ -21,7 +21,7 @@ TEST_P(TessellationTest, PointsAreThoseOfTheLimitSurface) {
     const Surface& surface = *traced.surface;
     const PatchTable& patches = surface.Patches();
     const float bound = 1e-6f * surface.Bounds().Diagonal();
-    for (const int level : {0, 3}) {
+    for (const int level : {0, 3, 5}) {
         const Tessellation tessellation(patches, surface.PatchPoints(), level);
         EXPECT_EQ(tessellation.Level(), std::max(level, patches.MaxDepth()));
         for (uint32_t patch = 0; patch < patches.Count(); ++patch) {
@@ -54,6 +54,10 @@ TEST(Tessellation, MemoryIsThatOfQuads) {
         // A point and its share of a block and of boxes; the paper counts on 40 bytes a triangle.
         EXPECT_GT(bytes, sizeof(Vec3f) + sizeof(Tessellation::Block) / 4.0);
         EXPECT_LT(bytes, 60);
+        const Tessellation::Need need = Tessellation::NeedOf(traced.surface->Patches(), level);
+        EXPECT_TRUE(need.isPossible);
+        EXPECT_GE(need.kept, tessellation.Bytes());
+        EXPECT_LT(need.kept, tessellation.Bytes() * 4 / 3);
     }
 }
 
