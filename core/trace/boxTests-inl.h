@@ -20,6 +20,15 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// Slack of slab tests for the rounding of their own arithmetic.
 constexpr float kSlabSlack = 1.0f + 1e-6f;
 
+/// A bit for each lane of a mask.
+template <class D>
+HWY_INLINE uint32_t LaneBits(D d, hn::Mask<D> mask) {
+    static_assert(hn::MaxLanes(D()) <= 16, "bits are those of two bytes");
+    alignas(8) uint8_t bytes[8] = {};
+    hn::StoreMaskBits(d, mask, bytes);
+    return (bytes[0] | static_cast<uint32_t>(bytes[1]) << 8) & ((1u << hn::Lanes(d)) - 1);
+}
+
 /// Narrows [near, far] to the part of rays between two planes across one axis.
 template <class V>
 HWY_INLINE void ClipToSlab(V lower, V upper, V origin, V inverse, V slack, V* near, V* far) {
@@ -80,12 +89,6 @@ struct WideHits {
 
 using WideTag = hn::CappedTag<float, kBvhWidth>;
 
-HWY_INLINE uint32_t MaskBits(WideTag d, hn::Mask<WideTag> mask) {
-    alignas(8) uint8_t bytes[8] = {};
-    hn::StoreMaskBits(d, mask, bytes);
-    return (bytes[0] | static_cast<uint32_t>(bytes[1]) << 8) & ((1u << hn::Lanes(d)) - 1);
-}
-
 /// Decodes the boxes of a node's children.
 HWY_INLINE void DecodeBoxes(const BvhNode& node, WideBoxes* boxes) {
     const WideTag d;
@@ -140,7 +143,7 @@ HWY_INLINE WideHits BoxesThatPacketHits(const WideBoxes& boxes, const PacketInte
             hit = hn::And(hit, hn::And(hn::Le(least, hn::Load(d, boxes.upper[side.axis] + lane)),
                                        hn::Ge(most, hn::Load(d, boxes.lower[side.axis] + lane))));
         }
-        result.mask |= MaskBits(d, hit) << lane;
+        result.mask |= LaneBits(d, hit) << lane;
         hn::Store(near, d, result.distance + lane);
     }
     result.mask &= used;
@@ -160,7 +163,7 @@ HWY_INLINE WideHits BoxesThatRayHits(const WideBoxes& boxes, const ObjectRays& r
                        hn::Set(d, origins[axis]), hn::Set(d, inverses[axis]),
                        hn::Set(d, kSlabSlack), &near, &far);
         }
-        result.mask |= MaskBits(d, hn::Le(near, far)) << lane;
+        result.mask |= LaneBits(d, hn::Le(near, far)) << lane;
         hn::Store(near, d, result.distance + lane);
     }
     result.mask &= (1u << boxes.count) - 1;
@@ -175,9 +178,7 @@ HWY_INLINE uint64_t RaysThatHit(D d, const ObjectRays& rays, uint64_t among, con
     uint64_t bits = 0;
     for (int first = 0; first < rays.count; first += lanes) {
         if ((among >> first & group) != 0) {
-            alignas(8) uint8_t bytes[8] = {};
-            hn::StoreMaskBits(d, RaysHitBox(d, rays, first, box), bytes);
-            bits |= ((bytes[0] | static_cast<uint64_t>(bytes[1]) << 8) & group) << first;
+            bits |= static_cast<uint64_t>(LaneBits(d, RaysHitBox(d, rays, first, box))) << first;
         }
     }
     return bits & among;

@@ -197,9 +197,7 @@ HWY_INLINE uint64_t FindQuads(D d, const GridFrame& frame, const ObjectRays& ray
             continue;
         }
         const FramedRays<D> framed(d, frame, rays, first);
-        alignas(8) uint8_t bytes[8] = {};
-        hn::StoreMaskBits(d, hn::Le(framed.near, framed.far), bytes);
-        meeting |= ((bytes[0] | static_cast<uint64_t>(bytes[1]) << 8) & group) << first;
+        meeting |= static_cast<uint64_t>(LaneBits(d, hn::Le(framed.near, framed.far))) << first;
         int32_t* const firsts[2] = {ranges->firstColumn + first, ranges->firstRow + first};
         int32_t* const lasts[2] = {ranges->lastColumn + first, ranges->lastRow + first};
         for (int k = 0; k < 2; ++k) {

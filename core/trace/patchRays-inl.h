@@ -59,10 +59,7 @@ uint64_t RaysIn(const Rays& rays, const Box3f& box, int firstRay) {
     const int lanes = static_cast<int>(hn::Lanes(d));
     uint64_t bits = 0;
     for (int group = firstRay - firstRay % lanes; group < rays.rays.count; group += lanes) {
-        alignas(8) uint8_t bytes[8] = {};
-        hn::StoreMaskBits(d, RaysHitBox(d, rays.rays, group, box), bytes);
-        const uint64_t mask = bytes[0] | static_cast<uint64_t>(bytes[1]) << 8;
-        bits |= (mask & ((uint64_t(1) << lanes) - 1)) << group;
+        bits |= static_cast<uint64_t>(LaneBits(d, RaysHitBox(d, rays.rays, group, box))) << group;
     }
     return bits;
 }

@@ -11,6 +11,7 @@
 
 #include <hwy/highway.h>
 
+#include "core/trace/boxTests-inl.h"
 #include "core/trace/limitGrid-inl.h"
 #include "core/trace/objectRays.h"
 
@@ -145,9 +146,7 @@ class QuadWindow {
     static HWY_INLINE uint32_t _Inside(V a, V b, V c, V slack) {
         const Tag d;
         const V least = hn::Min(hn::Min(a, b), c), most = hn::Max(hn::Max(a, b), c);
-        alignas(8) uint8_t bytes[8] = {};
-        hn::StoreMaskBits(d, hn::Or(hn::Ge(least, hn::Neg(slack)), hn::Le(most, slack)), bytes);
-        return bytes[0] & ((1u << hn::Lanes(d)) - 1);
+        return LaneBits(d, hn::Or(hn::Ge(least, hn::Neg(slack)), hn::Le(most, slack)));
     }
 
     /// Nearly always one triangle: what is left is not worth vectors.
