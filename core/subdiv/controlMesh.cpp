@@ -90,9 +90,11 @@ void WarnOfDegenerateFaces(const ControlMesh& mesh, ControlMeshReport* report) {
     size_t collapsed = 0, leftOut = 0;
     const int* face = mesh.faceVertexIndices.data();
     for (int count : mesh.faceVertexCounts) {
-        const size_t kept = KeptCorners(face, count).size();
-        leftOut += kept == 0;
-        collapsed += kept > 0 && kept < static_cast<size_t>(count);
+        if (!KeepsAllCorners(face, count)) {
+            const bool isKept = !KeptCorners(face, count).empty();
+            leftOut += !isKept;
+            collapsed += isKept;
+        }
         face += count;
     }
     if (leftOut > 0) {
@@ -259,6 +261,21 @@ std::vector<int> KeptCorners(const int* vertices, int count) {
     std::sort(sorted.begin(), sorted.end());
     const bool meetsTwice = std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
     return kept.size() < 3 || meetsTwice ? std::vector<int>() : kept;
+}
+
+bool KeepsAllCorners(const int* vertices, int count) {
+    constexpr int kFew = 8;
+    if (count > kFew) {
+        return KeptCorners(vertices, count).size() == static_cast<size_t>(count);
+    }
+    for (int i = 1; i < count; ++i) {
+        for (int j = 0; j < i; ++j) {
+            if (vertices[i] == vertices[j]) {
+                return false;
+            }
+        }
+    }
+    return count >= 3;
 }
 
 ControlMeshReport ValidateControlMesh(ControlMesh* mesh, size_t pointCount) {

@@ -74,4 +74,7 @@ ControlMeshReport ValidateControlMesh(ControlMesh* mesh, size_t pointCount);
 /// face still meets a vertex twice: it has no inside then.
 std::vector<int> KeptCorners(const int* vertices, int count);
 
+/// True if KeptCorners gives all corners of a face, as it does of most.
+bool KeepsAllCorners(const int* vertices, int count);
+
 }  // namespace cc

@@ -12,8 +12,14 @@ using OpenSubdiv::Far::Index;
 using OpenSubdiv::Far::TopologyLevel;
 using OpenSubdiv::Sdc::Crease;
 
-/// The rule that a vertex follows in the limit, as far as B-splines have it.
-enum class VertexRule { Smooth, Crease, Corner, Irregular };
+using VertexRule = OneRings::VertexRule;
+
+bool IsAmongFourQuads(const TopologyLevel& level, Index vertex) {
+    const ConstIndexArray faces = level.GetVertexFaces(vertex);
+    return faces.size() == 4 && std::all_of(faces.begin(), faces.end(), [&](Index face) {
+               return level.GetFaceVertices(face).size() == 4;
+           });
+}
 
 bool IsSharp(const TopologyLevel& level, Index edge) {
     return level.IsEdgeBoundary(edge) || Crease::IsInfinite(level.GetEdgeSharpness(edge));
@@ -35,9 +41,10 @@ VertexRule RuleOf(const TopologyLevel& level, Index vertex) {
     if (Crease::IsInfinite(level.GetVertexSharpness(vertex)) || sharpEdges > 2) {
         return VertexRule::Corner;
     }
-    return sharpEdges == 0   ? VertexRule::Smooth
-           : sharpEdges == 2 ? VertexRule::Crease
-                             : VertexRule::Irregular;
+    if (sharpEdges == 0) {
+        return IsAmongFourQuads(level, vertex) ? VertexRule::Regular : VertexRule::Smooth;
+    }
+    return sharpEdges == 2 ? VertexRule::Crease : VertexRule::Irregular;
 }
 
 /// One step of a walk around a vertex.
@@ -80,8 +87,10 @@ bool StepAcross(const TopologyLevel& level, Index vertex, Index face, Index edge
 /// Writes grid points, one corner of the face at a time.
 class OneRingGatherer {
   public:
-    OneRingGatherer(const TopologyLevel& level, Index face, OneRing* ring)
+    OneRingGatherer(const TopologyLevel& level, const std::vector<VertexRule>& rules, Index face,
+                    OneRing* ring)
         : _level(level),
+          _rules(rules),
           _face(face),
           _vertices(level.GetFaceVertices(face)),
           _edges(level.GetFaceEdges(face)),
@@ -113,7 +122,9 @@ class OneRingGatherer {
 
     bool _GatherCorner(int corner) {
         const bool nextOpen = _ring->isOpen[corner], previousOpen = _ring->isOpen[(corner + 3) & 3];
-        switch (RuleOf(_level, _vertices[corner])) {
+        switch (_rules[_vertices[corner]]) {
+            case VertexRule::Regular:
+                return _GatherRegularCorner(corner) || _GatherSmoothCorner(corner);
             case VertexRule::Smooth: return _GatherSmoothCorner(corner);
             case VertexRule::Crease:
                 return nextOpen != previousOpen && _GatherCreaseCorner(corner, nextOpen);
@@ -132,6 +143,24 @@ class OneRingGatherer {
             return false;
         }
         _At(GridAcross(corner, edge)) = step.farEnd;
+        return true;
+    }
+
+    /// The face opposite at a vertex of four, which OpenSubdiv lists in the order around it, has
+    /// all points that the corner lacks. Returns false if the list is in no such order.
+    bool _GatherRegularCorner(int corner) {
+        const Index vertex = _vertices[corner];
+        const ConstIndexArray faces = _level.GetVertexFaces(vertex);
+        const int opposite = (faces.FindIndex(_face) + 2) & 3;
+        const ConstIndexArray beyond = _level.GetFaceVertices(faces[opposite]);
+        const int at = _level.GetVertexFaceLocalIndices(vertex)[opposite];
+        const Index next = beyond[(at + 1) & 3], previous = beyond[(at + 3) & 3];
+        if (_vertices.FindIndex(next) >= 0 || _vertices.FindIndex(previous) >= 0) {
+            return false;
+        }
+        _At(GridAcross(corner, corner + 3)) = next;
+        _At(GridDiagonal(corner)) = beyond[(at + 2) & 3];
+        _At(GridAcross(corner, corner)) = previous;
         return true;
     }
 
@@ -177,6 +206,7 @@ class OneRingGatherer {
     }
 
     const TopologyLevel& _level;
+    const std::vector<VertexRule>& _rules;
     const Index _face;
     const ConstIndexArray _vertices, _edges;
     OneRing* const _ring;
@@ -359,9 +389,16 @@ bool GatherCornerRing(const TopologyLevel& level, int vertex, float vertexSharpn
     return CornerRingGatherer(level, vertex, vertexSharpness, ring).Gather(face);
 }
 
-void GatherOneRing(const TopologyLevel& level, int face, OneRing* ring) {
+OneRings::OneRings(const TopologyLevel& level) : _level(level) {
+    _rules.reserve(level.GetNumVertices());
+    for (Index vertex = 0; vertex < level.GetNumVertices(); ++vertex) {
+        _rules.push_back(RuleOf(level, vertex));
+    }
+}
+
+void OneRings::Gather(int face, OneRing* ring) const {
     ring->extraordinaryCorner = -1;
-    ring->shape = OneRingGatherer(level, face, ring).Gather();
+    ring->shape = OneRingGatherer(_level, _rules, face, ring).Gather();
 }
 
 }  // namespace cc

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include <opensubdiv/far/topologyLevel.h>
@@ -39,8 +40,27 @@ struct OneRing {
     std::vector<int> extraordinaryRing;
 };
 
-/// Gathers the 1-ring of a face. Works on any topology that OpenSubdiv accepts.
-void GatherOneRing(const OpenSubdiv::Far::TopologyLevel& level, int face, OneRing* ring);
+/// Gathers the 1-rings of a level's faces, having looked at each vertex once. Works on any topology
+/// that OpenSubdiv accepts.
+class OneRings {
+  public:
+    /// The rule that a vertex follows in the limit, as far as B-splines have it.
+    enum class VertexRule : uint8_t {
+        Regular,  ///< smooth, among four quads
+        Smooth,
+        Crease,
+        Corner,
+        Irregular,
+    };
+
+    explicit OneRings(const OpenSubdiv::Far::TopologyLevel& level);
+
+    void Gather(int face, OneRing* ring) const;
+
+  private:
+    OpenSubdiv::Far::TopologyLevel _level;
+    std::vector<VertexRule> _rules;  ///< one a vertex
+};
 
 /// Faces of a vertex up to which quads are patches with its ring. Each of those reads the whole
 /// ring, for every ray that comes near, so that n of them cost n^2.

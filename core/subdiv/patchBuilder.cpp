@@ -1,9 +1,8 @@
 #include "core/subdiv/patchBuilder.h"
 
 #include <algorithm>
-#include <map>
 #include <memory>
-#include <utility>
+#include <unordered_map>
 
 #include "core/subdiv/loopBuilder.h"
 #include "core/subdiv/oneRing.h"
@@ -26,12 +25,12 @@ class CatmullClarkBuilder {
     std::vector<int> AddLevel(RefinementLevel* level) {
         std::vector<int> unfinished;
         RingTable rings(level, _table);
-        const OpenSubdiv::Far::TopologyLevel topology = level->Topology();
+        const OneRings oneRings(level->Topology());
         for (int face = 0; face < level->FaceCount(); ++face) {
             if (!level->Origin(face).isVisible) {
                 continue;
             }
-            GatherOneRing(topology, face, &_ring);
+            oneRings.Gather(face, &_ring);
             if (_ring.shape != FaceShape::Irregular) {
                 _GatherGrid(level);
                 if (_ring.shape == FaceShape::Regular) {
@@ -68,9 +67,9 @@ class CatmullClarkBuilder {
 
     /// The patch point 2a - b, shared by all that ask for it (paper, Figure 2d).
     uint32_t _Extrapolate(uint32_t a, uint32_t b) {
-        const auto [entry, isNew] = _extrapolated.try_emplace({a, b}, 0);
+        const auto [entry, isNew] = _extrapolated.try_emplace(uint64_t(a) << 32 | b, 0);
         if (isNew) {
-            entry->second = _table->AddPoint({{a, b}, {2, -1}});
+            entry->second = _table->AddExtrapolatedPoint(a, b);
         }
         return entry->second;
     }
@@ -112,7 +111,8 @@ class CatmullClarkBuilder {
 
     void _AddExtraordinary(RefinementLevel* level, const FaceOrigin& origin) {
         const int corner = _ring.extraordinaryCorner;
-        std::vector<uint32_t> points{_At(GridCorner(corner))};
+        std::vector<uint32_t>& points = _points;
+        points.assign(1, _At(GridCorner(corner)));
         for (int vertex : _ring.extraordinaryRing) {
             points.push_back(level->PatchPoint(vertex, _table));
         }
@@ -160,8 +160,10 @@ class CatmullClarkBuilder {
 
     PatchTable* const _table;
     OneRing _ring;
+    std::vector<uint32_t> _points;
     uint32_t _grid[4][4];
-    std::map<std::pair<uint32_t, uint32_t>, uint32_t> _extrapolated;
+    /// By the two points.
+    std::unordered_map<uint64_t, uint32_t> _extrapolated;
 };
 
 void AddCatmullClark(const ControlMesh& mesh, size_t pointCount, PatchTable* table,

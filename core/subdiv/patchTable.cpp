@@ -39,19 +39,28 @@ std::vector<Vec3f> PatchTable::PatchPoints(const std::vector<Vec3f>& cageValues)
     assert(cageValues.size() == _cagePointCount);
     std::vector<Vec3f> points(PointCount());
     std::copy(cageValues.begin(), cageValues.end(), points.begin());
-    size_t entry = 0;
+    const uint32_t* index = _stencilIndices.data();
+    const float* weight = _stencilWeights.data();
     for (size_t i = 0; i < _stencilEnds.size(); ++i) {
         // Doubles keep a long sum from drifting between neighbours.
-        double x = 0, y = 0, z = 0;
-        for (; entry < _stencilEnds[i]; ++entry) {
-            const Vec3f& p = points[_stencilIndices[entry]];
-            const double weight = _stencilWeights[entry];
-            x += weight * p.x;
-            y += weight * p.y;
-            z += weight * p.z;
+        double sum[3] = {0, 0, 0};
+        const auto add = [&](double times) {
+            const Vec3f& p = points[*index++];
+            sum[0] += times * p.x;
+            sum[1] += times * p.y;
+            sum[2] += times * p.z;
+        };
+        if (_stencilEnds[i] & kExtrapolated) {
+            add(2);
+            add(-1);
+        } else {
+            const uint32_t* const end = _stencilIndices.data() + _stencilEnds[i];
+            while (index < end) {
+                add(*weight++);
+            }
         }
-        points[_cagePointCount + i] = {static_cast<float>(x), static_cast<float>(y),
-                                       static_cast<float>(z)};
+        points[_cagePointCount + i] = {static_cast<float>(sum[0]), static_cast<float>(sum[1]),
+                                       static_cast<float>(sum[2])};
     }
     return points;
 }
@@ -85,6 +94,13 @@ uint32_t PatchTable::AddPoint(const Stencil& stencil) {
     _stencilIndices.insert(_stencilIndices.end(), stencil.indices.begin(), stencil.indices.end());
     _stencilWeights.insert(_stencilWeights.end(), stencil.weights.begin(), stencil.weights.end());
     _stencilEnds.push_back(static_cast<uint32_t>(_stencilIndices.size()));
+    return static_cast<uint32_t>(PointCount() - 1);
+}
+
+uint32_t PatchTable::AddExtrapolatedPoint(uint32_t a, uint32_t b) {
+    _stencilIndices.push_back(a);
+    _stencilIndices.push_back(b);
+    _stencilEnds.push_back(static_cast<uint32_t>(_stencilIndices.size()) | kExtrapolated);
     return static_cast<uint32_t>(PointCount() - 1);
 }
 

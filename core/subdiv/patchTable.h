@@ -132,6 +132,8 @@ class PatchTable {
         : _cagePointCount(cagePointCount), _decay(decay), _leftHanded(leftHanded) {}
     /// Adds a point made of earlier ones; returns its index.
     uint32_t AddPoint(const Stencil& stencil);
+    /// Adds the point 2a - b: what most points are that lie beyond a boundary.
+    uint32_t AddExtrapolatedPoint(uint32_t a, uint32_t b);
     /// Adds a patch; its firstIndex is set to where its indices go.
     void AddPatch(Patch patch, const uint32_t* indices, int count);
     /// Adds the triangles of a polygon, given the points of its corners.
@@ -147,6 +149,8 @@ class PatchTable {
     void Finish();
 
   private:
+    static constexpr uint32_t kExtrapolated = 0x80000000u;
+
     void _SetTriangle(uint32_t* indices, const std::vector<uint32_t>& points,
                       const PolygonTriangle& triangle);
 
@@ -155,6 +159,8 @@ class PatchTable {
     std::vector<PatchRing> _rings;
     std::vector<float> _sharpnesses;
     size_t _cagePointCount = 0;
+    /// Of each point that was added: where its indices end, and kExtrapolated if they are two
+    /// points without weights.
     std::vector<uint32_t> _stencilEnds;
     std::vector<uint32_t> _stencilIndices;
     std::vector<float> _stencilWeights;

@@ -221,20 +221,26 @@ RefinementLevel::RefinementLevel(const ControlMesh& mesh, size_t pointCount, std
     for (int hole : mesh.holeIndices) {
         isHole[hole] = 1;
     }
+    description.counts.reserve(mesh.faceVertexCounts.size());
+    description.indices.reserve(mesh.faceVertexIndices.size());
+    _origins.reserve(mesh.faceVertexCounts.size());
     size_t first = 0;
     for (size_t face = 0; face < mesh.faceVertexCounts.size(); ++face) {
         const int count = mesh.faceVertexCounts[face];
         const int* vertices = mesh.faceVertexIndices.data() + first;
-        std::vector<int> kept = KeptCorners(vertices, count);
         first += count;
-        if (kept.empty()) {
-            continue;
-        }
-        description.counts.push_back(static_cast<int>(kept.size()));
-        for (int corner : kept) {
-            description.indices.push_back(vertices[corner]);
-        }
-        if (kept.size() < static_cast<size_t>(count)) {
+        if (KeepsAllCorners(vertices, count)) {
+            description.counts.push_back(count);
+            description.indices.insert(description.indices.end(), vertices, vertices + count);
+        } else {
+            std::vector<int> kept = KeptCorners(vertices, count);
+            if (kept.empty()) {
+                continue;
+            }
+            description.counts.push_back(static_cast<int>(kept.size()));
+            for (int corner : kept) {
+                description.indices.push_back(vertices[corner]);
+            }
             _keptCorners[FaceCount()] = std::move(kept);
         }
         _origins.push_back({static_cast<uint32_t>(face), 0, 0, 0, 0, false, isHole[face] == 0});
@@ -254,6 +260,7 @@ RefinementLevel::RefinementLevel(const ControlMesh& mesh, size_t pointCount, std
         // Without boundary interpolation OpenSubdiv drops the faces along the boundary.
         _origins[face].isVisible = _origins[face].isVisible && !Topology().IsFaceHole(face);
     }
+    _vertexSharpness.reserve(Topology().GetNumVertices());
     for (int vertex = 0; vertex < Topology().GetNumVertices(); ++vertex) {
         _vertexSharpness.push_back(Topology().GetVertexSharpness(vertex));
     }

@@ -1,9 +1,11 @@
 #include "core/subdiv/ringTable.h"
 
+#include <vector>
+
 namespace cc {
 
 bool RingTable::Find(int vertex, int face, RingPlace* place) {
-    const auto found = _places.find({vertex, face});
+    const auto found = _places.find(_Key(vertex, face));
     if (found != _places.end()) {
         *place = found->second;
         return true;
@@ -22,7 +24,7 @@ bool RingTable::Find(int vertex, int face, RingPlace* place) {
 
 RingPlace RingTable::Add(const CornerRing& ring, int face) {
     const int vertex = ring.vertices.front();
-    const auto found = _places.find({vertex, face});
+    const auto found = _places.find(_Key(vertex, face));
     if (found != _places.end()) {
         return found->second;
     }
@@ -45,9 +47,9 @@ RingPlace RingTable::Add(const CornerRing& ring, int face) {
     }
     const uint32_t index = _table->AddRing(stored, points, sharpnesses);
     for (uint32_t i = 0; i < stored.faceCount; ++i) {
-        _places[{vertex, ring.faces[i]}] = {index, i};
+        _places[_Key(vertex, ring.faces[i])] = {index, i};
     }
-    return _places[{vertex, face}];
+    return _places[_Key(vertex, face)];
 }
 
 }  // namespace cc

@@ -1,9 +1,7 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
-#include <utility>
-#include <vector>
+#include <unordered_map>
 
 #include "core/subdiv/oneRing.h"
 #include "core/subdiv/patchTable.h"
@@ -31,8 +29,12 @@ class RingTable {
   private:
     RefinementLevel* const _level;
     PatchTable* const _table;
+    static uint64_t _Key(int vertex, int face) {
+        return uint64_t(static_cast<uint32_t>(vertex)) << 32 | static_cast<uint32_t>(face);
+    }
+
     /// By vertex and face of the level.
-    std::map<std::pair<int, int>, RingPlace> _places;
+    std::unordered_map<uint64_t, RingPlace> _places;
 };
 
 }  // namespace cc

@@ -1,6 +1,7 @@
 #include "core/subdiv/controlMesh.h"
 
 #include <cmath>
+#include <random>
 
 #include <gtest/gtest.h>
 
@@ -147,6 +148,23 @@ TEST(ControlMesh, MergesCornersThatShareAVertex) {
     EXPECT_TRUE(kept({5, 5, 7, 7}).empty());
     EXPECT_TRUE(kept({5, 6, 5, 7}).empty());
     EXPECT_TRUE(kept({}).empty());
+}
+
+TEST(ControlMesh, KnowsFacesThatKeepAllCorners) {
+    std::mt19937 random(3);
+    int keptAll = 0;
+    for (int i = 0; i < 20000; ++i) {
+        std::vector<int> face(random() % 12);
+        for (int& vertex : face) {
+            vertex = static_cast<int>(random() % 40);
+        }
+        const int count = static_cast<int>(face.size());
+        const size_t kept = KeptCorners(face.data(), count).size();
+        const bool keepsAll = count > 0 && kept == face.size();
+        EXPECT_EQ(KeepsAllCorners(face.data(), count), keepsAll);
+        keptAll += keepsAll;
+    }
+    EXPECT_GT(keptAll, 5000);
 }
 
 TEST(PatchBuilder, TakesQuadsWithACollapsedEdgeForTriangles) {
