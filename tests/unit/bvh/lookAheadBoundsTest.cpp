@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/subdiv/irregularTriangle.h"
 #include "core/subdiv/limitPoint.h"
 #include "core/subdiv/patchBuilder.h"
 #include "core/trace/simdTargets.h"
@@ -44,6 +45,9 @@ struct BuiltCage {
 
     /// Box of the points that shape a patch.
     Box3f RingBox(uint32_t patch) const {
+        if (patches.At(patch).kind == PatchKind::IrregularTriangle) {
+            return GatherIrregularTriangle(patches, patch, points.data()).HullBox();
+        }
         ControlPoints indices;
         GatherControlPoints(patches, patch, &indices);
         Box3f box;
