@@ -5,8 +5,9 @@ from pathlib import Path
 
 from . import build, sdk
 from .console import CommandError
-from .paths import BUILD, ROOT
-from .test_stage import Outcome, Settings, run_with_report
+from .paths import BUILD
+from .test_googletest import run_sharded
+from .test_stage import Outcome, Settings
 
 
 def set_up(_: Settings) -> Outcome:
@@ -22,7 +23,7 @@ def build_all(_: Settings) -> Outcome:
 
 def run_units(_: Settings) -> Outcome:
     """The unit tests."""
-    return _ctest(BUILD / "release", dict(os.environ))
+    return run_sharded(_unit_program("release"), dict(os.environ))
 
 
 def run_sanitized_units(_: Settings) -> Outcome:
@@ -33,7 +34,7 @@ def run_sanitized_units(_: Settings) -> Outcome:
     environment = dict(os.environ)
     environment["ASAN_OPTIONS"] = "detect_leaks=0:strict_string_checks=1"
     environment["UBSAN_OPTIONS"] = "print_stacktrace=1"
-    return _ctest(BUILD / "sanitize", environment)
+    return run_sharded(_unit_program("sanitize"), environment)
 
 
 def build_preset(preset: str, target: str) -> Outcome:
@@ -44,13 +45,5 @@ def build_preset(preset: str, target: str) -> Outcome:
     return Outcome(passed=1)
 
 
-def _ctest(folder: Path, environment: dict[str, str]) -> Outcome:
-    report = folder / "ctest.xml"
-    jobs = str(len(os.sched_getaffinity(0)))
-    command = ["ctest", "--test-dir", str(folder), "--output-on-failure", "-j", jobs]
-    return run_with_report(
-        [*command, "--no-tests=error", "--output-junit", str(report)],
-        report,
-        cwd=ROOT,
-        env=environment,
-    )
+def _unit_program(preset: str) -> Path:
+    return BUILD / preset / "tests" / "unit" / "cc_unit"
