@@ -55,36 +55,6 @@ void MeasureDirections(ObjectRays* rays, int count) {
     }
 }
 
-/// Shears for the quad test, by the axis along which each direction is longest.
-void ShearDirections(ObjectRays* rays, int count) {
-    const hn::CappedTag<float, 16> d;
-    const int lanes = static_cast<int>(hn::Lanes(d));
-    rays->longestAlong[0] = rays->longestAlong[1] = rays->longestAlong[2] = 0;
-    for (int i = 0; i < count; i += lanes) {
-        const auto x = hn::Load(d, rays->directionX + i), y = hn::Load(d, rays->directionY + i),
-                   z = hn::Load(d, rays->directionZ + i);
-        const auto ax = hn::Abs(x), ay = hn::Abs(y), az = hn::Abs(z);
-        const auto alongX = hn::And(hn::Ge(ax, ay), hn::Ge(ax, az));
-        const auto alongY = hn::AndNot(alongX, hn::Ge(ay, az));
-        const auto longest = hn::IfThenElse(alongX, x, hn::IfThenElse(alongY, y, z));
-        const auto first = hn::IfThenElse(alongX, y, hn::IfThenElse(alongY, z, x));
-        const auto second = hn::IfThenElse(alongX, z, hn::IfThenElse(alongY, x, y));
-        hn::Store(hn::Div(first, longest), d, rays->shear[0] + i);
-        hn::Store(hn::Div(second, longest), d, rays->shear[1] + i);
-        hn::Store(hn::Div(hn::Set(d, 1.0f), longest), d, rays->shear[2] + i);
-        const auto bits = [&](auto mask) {
-            alignas(8) uint8_t bytes[8] = {};
-            hn::StoreMaskBits(d, mask, bytes);
-            const uint64_t all = bytes[0] | static_cast<uint64_t>(bytes[1]) << 8;
-            return (all & ((uint64_t(1) << lanes) - 1)) << i;
-        };
-        const uint64_t bitsX = bits(alongX), bitsY = bits(alongY);
-        rays->longestAlong[0] |= bitsX;
-        rays->longestAlong[1] |= bitsY;
-        rays->longestAlong[2] |= bits(hn::FirstN(d, lanes)) & ~(bitsX | bitsY);
-    }
-}
-
 void CopyRays(const RayPacket& rays, ObjectRays* out) {
     std::copy(rays.originX, rays.originX + rays.count, out->originX);
     std::copy(rays.originY, rays.originY + rays.count, out->originY);
@@ -92,22 +62,6 @@ void CopyRays(const RayPacket& rays, ObjectRays* out) {
     std::copy(rays.directionX, rays.directionX + rays.count, out->directionX);
     std::copy(rays.directionY, rays.directionY + rays.count, out->directionY);
     std::copy(rays.directionZ, rays.directionZ + rays.count, out->directionZ);
-}
-
-bool HaveOneOrigin(const ObjectRays& rays) {
-    const hn::CappedTag<float, 16> d;
-    const int lanes = static_cast<int>(hn::Lanes(d));
-    const auto x = hn::Set(d, rays.originX[0]), y = hn::Set(d, rays.originY[0]),
-               z = hn::Set(d, rays.originZ[0]);
-    for (int i = 0; i < rays.count; i += lanes) {
-        const auto same = hn::And(hn::And(hn::Eq(hn::Load(d, rays.originX + i), x),
-                                          hn::Eq(hn::Load(d, rays.originY + i), y)),
-                                  hn::Eq(hn::Load(d, rays.originZ + i), z));
-        if (!hn::AllTrue(d, hn::Or(same, hn::Not(hn::FirstN(d, rays.count - i))))) {
-            return false;
-        }
-    }
-    return true;
 }
 
 void Transform(const RayPacket& rays, const AffineTransform& worldToObject, ObjectRays* out) {
@@ -135,8 +89,6 @@ void Transform(const RayPacket& rays, const AffineTransform& worldToObject, Obje
     InvertDirections(out->directionY, padded, out->inverseY);
     InvertDirections(out->directionZ, padded, out->inverseZ);
     MeasureDirections(out, padded);
-    ShearDirections(out, padded);
-    out->isPinhole = HaveOneOrigin(*out);
 }
 
 }  // namespace HWY_NAMESPACE

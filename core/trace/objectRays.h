@@ -12,15 +12,8 @@ struct alignas(64) ObjectRays {
     float directionX[kPacketSize], directionY[kPacketSize], directionZ[kPacketSize];
     float inverseX[kPacketSize], inverseY[kPacketSize], inverseZ[kPacketSize];
     float length[kPacketSize];  ///< of the direction
-    /// By how much the coordinates along the two axes after the longest one grow per unit of it,
-    /// and the ray's parameter per unit.
-    float shear[3][kPacketSize];
     float tMin[kPacketSize];
     float tMax[kPacketSize];  ///< below tMin for a ray that is done or was never there
-    /// For each axis, a bit for every ray whose direction is longest along it.
-    uint64_t longestAlong[3];
-    /// True if all rays begin at one point, as those of a pinhole camera do.
-    bool isPinhole;
     int count;
 };
 

@@ -37,15 +37,20 @@ struct ShearedRay {
     float tMin;
 
     ShearedRay(const ObjectRays& rays, int ray) {
-        const int axis = (rays.longestAlong[0] >> ray & 1) != 0   ? 0
-                         : (rays.longestAlong[1] >> ray & 1) != 0 ? 1
-                                                                  : 2;
-        const float* const origins[3] = {rays.originX, rays.originY, rays.originZ};
+        const float directions[3] = {rays.directionX[ray], rays.directionY[ray],
+                                     rays.directionZ[ray]};
+        const float origins[3] = {rays.originX[ray], rays.originY[ray], rays.originZ[ray]};
+        const float inverses[3] = {rays.inverseX[ray], rays.inverseY[ray], rays.inverseZ[ray]};
+        const float x = std::fabs(directions[0]), y = std::fabs(directions[1]),
+                    z = std::fabs(directions[2]);
+        const int longest = x >= y && x >= z ? 0 : y >= z ? 1 : 2;
         for (int k = 0; k < 3; ++k) {
-            axes[k] = (axis + 1 + k) % 3;
-            origin[k] = origins[axes[k]][ray];
-            shear[k] = rays.shear[k][ray];
+            axes[k] = (longest + 1 + k) % 3;
+            origin[k] = origins[axes[k]];
         }
+        shear[0] = directions[axes[0]] * inverses[longest];
+        shear[1] = directions[axes[1]] * inverses[longest];
+        shear[2] = inverses[longest];
         tMin = rays.tMin[ray];
     }
 };

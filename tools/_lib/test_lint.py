@@ -49,6 +49,8 @@ def check_python(settings: Settings) -> Outcome:
 def check_cpp(_: Settings) -> Outcome:
     """clang-tidy finds nothing; every source file counts as a test."""
     database = BUILD / "release" / "compile_commands.json"
+    if not database.is_file():
+        return Outcome(failed=1, output=f"{database} is missing: run the build stage first\n")
     wanted = [str(ROOT / folder) + "/" for folder in _TIDY_FOLDERS]
     entries = json.loads(database.read_text())
     files = sorted(e["file"] for e in entries if e["file"].startswith(tuple(wanted)))
