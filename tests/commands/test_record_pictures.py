@@ -179,7 +179,8 @@ def test_an_old_picture_survives_a_failure(record, scene: Path) -> None:
     assert old.read_bytes() == b"old"
 
 
-def test_interrupting_leaves_no_half_file(scene: Path) -> None:
+@pytest.mark.parametrize("ending", [signal.SIGINT, signal.SIGTERM])
+def test_interrupting_leaves_no_half_file(scene: Path, ending: signal.Signals) -> None:
     heavy = ["-w", "2000", "--set", "hdcc:samples=100000"]
     process = subprocess.Popen(
         [str(ROOT / "tools" / "record"), str(scene), "out.png", *heavy],
@@ -187,10 +188,12 @@ def test_interrupting_leaves_no_half_file(scene: Path) -> None:
         stderr=subprocess.PIPE,
         text=True,
         env={**os.environ, "PYTHONPATH": ""},
+        # What is started in the background of a shell is deaf to this signal otherwise.
+        preexec_fn=lambda: signal.signal(ending, signal.SIG_DFL),
     )
     _wait_for(lambda: any(p.name.startswith(".hdcc-") for p in scene.parent.iterdir()))
     time.sleep(0.5)
-    process.send_signal(signal.SIGINT)
+    process.send_signal(ending)
     _, errors = process.communicate(timeout=60)
     assert process.returncode != 0
     assert errors.splitlines()[-1].startswith("error: ")
