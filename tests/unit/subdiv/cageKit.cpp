@@ -71,12 +71,18 @@ Cage Triangulated(const Cage& cage) {
     return result;
 }
 
+Cage Roof() {
+    Cage cage = Named(Sheet(4), "roof");
+    for (Vec3f& point : cage.points) {
+        point.z = 0.3f * point.z - 0.9f * (std::abs(point.x - 2) + std::abs(point.y - 2));
+    }
+    return cage;
+}
+
 Cage FromFaces(const std::string& name, const std::vector<std::vector<int>>& faces) {
-    Cage cage;
-    cage.name = name;
+    Cage cage = FromFaces(name, faces, {});
     int last = 0;
     for (const std::vector<int>& face : faces) {
-        AddFace(&cage, face);
         last = std::max(last, *std::max_element(face.begin(), face.end()));
     }
     for (int i = 0; i <= last; ++i) {
@@ -84,6 +90,17 @@ Cage FromFaces(const std::string& name, const std::vector<std::vector<int>>& fac
         const float radius = 0.5f + 0.3f * static_cast<float>(i);
         cage.points.push_back({radius * std::cos(angle), radius * std::sin(angle),
                                std::sin(1.9f * static_cast<float>(i))});
+    }
+    return cage;
+}
+
+Cage FromFaces(const std::string& name, const std::vector<std::vector<int>>& faces,
+               const std::vector<Vec3f>& points) {
+    Cage cage;
+    cage.name = name;
+    cage.points = points;
+    for (const std::vector<int>& face : faces) {
+        AddFace(&cage, face);
     }
     return cage;
 }

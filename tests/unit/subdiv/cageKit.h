@@ -26,8 +26,14 @@ Cage WithHoles(Cage cage, const std::vector<int>& holes, const std::string& name
 /// from their first corner on.
 Cage Triangulated(const Cage& cage);
 
+/// The faces of Sheet(4) over a roof: ridges along both middle lines show what creases do.
+Cage Roof();
+
 /// A cage of these faces over points that lie on no plane.
 Cage FromFaces(const std::string& name, const std::vector<std::vector<int>>& faces);
+/// A cage of these faces over these points.
+Cage FromFaces(const std::string& name, const std::vector<std::vector<int>>& faces,
+               const std::vector<Vec3f>& points);
 
 // The catalogue by theme.
 

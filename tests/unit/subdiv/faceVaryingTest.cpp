@@ -93,9 +93,11 @@ Difference FromBfr(const Cage& cage, const PatchTable& patches, const Primvar& p
     return difference;
 }
 
-Difference FromFar(const Cage& cage, const Primvar& primvar, const FaceVaryingChannel& channel) {
+/// @param levels  more of them where Far's limits are not exact before creases have softened
+Difference FromFar(const Cage& cage, const Primvar& primvar, const FaceVaryingChannel& channel,
+                   int levels = 4) {
     Difference difference;
-    const auto limits = RefinedFaceVaryingLimits(cage.mesh, cage.points.size(), primvar, 4);
+    const auto limits = RefinedFaceVaryingLimits(cage.mesh, cage.points.size(), primvar, levels);
     EXPECT_GT(limits.size(), 500u);
     for (const RefinedValue& limit : limits) {
         difference.Note(channel.Evaluate(limit.at), limit.value[0], limit.value[1], limit.at);
@@ -117,6 +119,10 @@ bool HasJoints(const ControlMesh& mesh) {
                        [](const auto& edge) { return edge.second > 2; });
 }
 
+/// Three creases, sharp and of 0.5, at the end of a seam of the values: Bfr is off by 0.04 on the
+/// faces there, and Far's refinement comes to our values.
+bool HasSeamAmidCreases(const Cage& cage) { return cage.name == "three at valence 6 0.5"; }
+
 void ExpectAgreement(const Cage& cage, const PatchTable& patches, const Split& split) {
     Primvar primvar{Interpolation::FaceVarying, 2, {}, {}};
     primvar.indices = ValueIndices(cage.mesh, cage.points.size(), split);
@@ -128,6 +134,9 @@ void ExpectAgreement(const Cage& cage, const PatchTable& patches, const Split& s
     Difference difference = FromBfr(cage, patches, primvar, channel);
     if (difference.worst >= 1e-5 && HasJoints(cage.mesh)) {
         difference = FromFar(cage, primvar, channel);
+    }
+    if (difference.worst >= 1e-5 && HasSeamAmidCreases(cage)) {
+        difference = FromFar(cage, primvar, channel, 7);
     }
     // Only Chaikin's creases may be approximate where values split, and are not by much.
     EXPECT_TRUE(warning.empty() || cage.mesh.creaseRule == CreaseRule::Chaikin) << warning;

@@ -60,7 +60,13 @@ std::vector<Cage> BoundaryCages() {
     };
     addBothRules(Named(Sheet(1), "one quad"));
     addBothRules(FromFaces("one triangle", {{0, 1, 2}}));
-    addBothRules(FromFaces("one hexagon", {{0, 1, 2, 3, 4, 5}}));
+    addBothRules(FromFaces("one hexagon", {{0, 1, 2, 3, 4, 5}},
+                           {{1, 0, 0.2f},
+                            {0.5f, 0.9f, -0.2f},
+                            {-0.5f, 0.8f, 0.3f},
+                            {-1.1f, 0, -0.1f},
+                            {-0.4f, -0.9f, 0.2f},
+                            {0.5f, -0.8f, -0.3f}}));
     addBothRules(Named(Sheet(2), "sheet of four quads"));
     addBothRules(Strip(4));
     addBothRules(Frame());

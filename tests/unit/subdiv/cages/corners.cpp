@@ -4,9 +4,9 @@ namespace cc::test {
 
 std::vector<Cage> CornerCages() {
     std::vector<Cage> cages;
-    cages.push_back(WithCorner(Sheet(4), 12, 2.2f, "sheet, corner 2.2"));
-    cages.push_back(WithCorner(Sheet(4), 12, 0.5f, "sheet, corner 0.5"));
-    cages.push_back(WithCorner(Sheet(4), 12, 10, "sheet, sharp corner"));
+    cages.push_back(WithCorner(Roof(), 12, 2.2f, "sheet, corner 2.2"));
+    cages.push_back(WithCorner(Roof(), 12, 0.5f, "sheet, corner 0.5"));
+    cages.push_back(WithCorner(Roof(), 12, 10, "sheet, sharp corner"));
     cages.push_back(WithCorner(Cube(), 3, 1.5f, "cube, corner 1.5"));
     cages.push_back(WithCorner(Cube(), 3, 10, "cube, sharp corner"));
     cages.push_back(WithCorner(Fan(6), 0, 2.7f, "valence 6, corner 2.7"));
@@ -21,11 +21,11 @@ std::vector<Cage> CornerCages() {
         for (float corner : {0.5f, 2.7f, 10.0f}) {
             const std::string text = std::to_string(static_cast<int>(10 * corner)) + " tenths on " +
                                      (crease < 10 ? "a crease" : "a sharp crease");
-            cages.push_back(WithCorner(WithCrease(Sheet(4), {10, 11, 12, 13, 14}, crease, ""), 12,
+            cages.push_back(WithCorner(WithCrease(Roof(), {10, 11, 12, 13, 14}, crease, ""), 12,
                                        corner, "corner of " + text));
         }
     }
-    cages.push_back(WithCorner(WithCrease(Sheet(4), {10, 11, 12}, 2.7f, ""), 12, 1.2f,
+    cages.push_back(WithCorner(WithCrease(Roof(), {10, 11, 12}, 2.7f, ""), 12, 1.2f,
                                "corner at the end of a crease"));
     return cages;
 }

@@ -34,6 +34,15 @@ Cage ChaikinCreaseBySteps() {
     return cage;
 }
 
+Cage ChaikinCreaseThroughValence5() {
+    Cage cage = Named(Fan(5), "fan, Chaikin crease by edge");
+    cage.mesh.creaseIndices = {11, 1, 0, 5, 15};
+    cage.mesh.creaseLengths = {5};
+    cage.mesh.creaseSharpnesses = {0.6f, 3.2f, 1.1f, 2.4f};
+    cage.mesh.creaseRule = CreaseRule::Chaikin;
+    return cage;
+}
+
 /// Bfr does not see on the faces beside the fin's edge that it sharpens the vertices at its ends.
 Cage TetrahedronWithFin() {
     Cage cage = Named(Tetrahedron(), "tetrahedron with a fin");
@@ -82,6 +91,7 @@ std::vector<Cage> KnownDifferences() {
     return {ThreeChaikinCreases(),
             UnevenChaikinCrease(),
             ChaikinCreaseBySteps(),
+            ChaikinCreaseThroughValence5(),
             TetrahedronWithFin(),
             CreaseWithTubes(),
             WithCrease(CreaseWithTubes(), {0, 6}, 0.7f, "tubes with a crease of 0.7"),

@@ -52,7 +52,7 @@ std::vector<Cage> CreaseLoopCages() {
     cages.push_back(WithCrease(TriangleSheet(4), {5, 6, 7, 8, 9}, 1.5f, "loop sheet, 1.5 across"));
     cages.push_back(WithCrease(TriangleSheet(3), {0, 1, 2, 3}, 2.7f, "loop sheet, along boundary"));
     cages.push_back(WithCrease(TriangleSheet(4), {6, 7, 12, 11, 6}, 10, "loop sheet, sharp loop"));
-    cages.push_back(WithCrease(TriangleFan(9), {10, 1, 0, 5, 15}, 10, "loop fan 9, sharp across"));
+    cages.push_back(WithCrease(TriangleFan(9), {10, 1, 0, 5, 14}, 10, "loop fan 9, sharp across"));
     cages.push_back(WithCrease(TriangleFan(5), {0, 2}, 10, "loop fan 5, sharp dart"));
     cages.push_back(WithCrease(TriangleFan(8), {0, 3}, 2.2f, "loop fan 8, dart 2.2"));
     return cages;
@@ -99,7 +99,14 @@ std::vector<Cage> NonManifoldLoopCages() {
     AddFace(&book, {0, 2, 1});
     Cage joint = Loop(
         FromFaces("loop, crossing sheets",
-                  {{0, 1, 3}, {1, 4, 3}, {1, 2, 4}, {1, 0, 5}, {2, 1, 5}, {0, 1, 6}, {1, 2, 6}}));
+                  {{0, 1, 3}, {1, 4, 3}, {1, 2, 4}, {1, 0, 5}, {2, 1, 5}, {0, 1, 6}, {1, 2, 6}},
+                  {{-1, 0, 0},
+                   {0, 0, 0.2f},
+                   {1, 0, 0},
+                   {-0.6f, 1.1f, -0.2f},
+                   {0.6f, 1.1f, -0.2f},
+                   {0, -1.2f, -0.2f},
+                   {0, 0.1f, 1.2f}}));
     return {fin,
             bowTie,
             flipped,
@@ -123,7 +130,7 @@ std::vector<Cage> CombinedLoopCages() {
     AddCorner(&fan, 0, 0.6f);
     fan.mesh.holeIndices = {1};
     return {all, fan,
-            WithCorner(WithCrease(TriangleFan(9), {10, 1, 0, 5, 15}, 2.5f, ""), 0, 1.5f,
+            WithCorner(WithCrease(TriangleFan(9), {10, 1, 0, 5, 14}, 2.5f, ""), 0, 1.5f,
                        "loop fan 9, crease and corner"),
             WithCorner(OpenTriangleFan(4), 0, 1.3f, "loop open fan, corner 1.3 of many faces"),
             WithCorner(OpenTriangleFan(4), 0, 10, "loop open fan, sharp corner of many faces")};

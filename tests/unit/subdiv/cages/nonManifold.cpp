@@ -8,14 +8,46 @@ namespace {
 Cage ThreeWings() {
     return FromFaces(
         "three wings",
-        {{0, 1, 4, 3}, {1, 2, 5, 4}, {1, 0, 6, 7}, {2, 1, 7, 8}, {0, 1, 10, 9}, {1, 2, 11, 10}});
+        {{0, 1, 4, 3}, {1, 2, 5, 4}, {1, 0, 6, 7}, {2, 1, 7, 8}, {0, 1, 10, 9}, {1, 2, 11, 10}},
+        {{-1, 0, 0},
+         {0, 0, 0.3f},
+         {1, 0, 0},
+         {-1, 1.2f, -0.3f},
+         {0, 1.3f, 0.1f},
+         {1, 1.1f, -0.2f},
+         {-1, -1.2f, -0.3f},
+         {0, -1, 0.2f},
+         {1, -1.2f, -0.2f},
+         {-1.1f, 0.1f, 1.2f},
+         {0, 0.2f, 1.5f},
+         {1, 0.1f, 1.2f}});
 }
 
-Cage BowTie() { return FromFaces("bow tie", {{0, 1, 2, 3}, {0, 4, 5, 6}}); }
+Cage BowTie() {
+    return FromFaces("bow tie", {{0, 1, 2, 3}, {0, 4, 5, 6}},
+                     {{0, 0, 0.3f},
+                      {0.9f, -0.8f, 0},
+                      {1.9f, 0, 0.4f},
+                      {1, 0.7f, 0.1f},
+                      {-1, 0.8f, 0},
+                      {-1.8f, 0.1f, 0.5f},
+                      {-0.9f, -0.7f, 0.1f}});
+}
 
 /// Two fans of two quads that share only a vertex.
 Cage WideBowTie() {
-    return FromFaces("wide bow tie", {{0, 1, 2, 3}, {0, 3, 4, 5}, {0, 6, 7, 8}, {0, 8, 9, 10}});
+    return FromFaces("wide bow tie", {{0, 1, 2, 3}, {0, 3, 4, 5}, {0, 6, 7, 8}, {0, 8, 9, 10}},
+                     {{0, 0, 0.4f},
+                      {0.4f, -1.2f, 0},
+                      {1.5f, -1.1f, 0.3f},
+                      {1.3f, 0, -0.2f},
+                      {1.4f, 1.2f, 0.2f},
+                      {0.5f, 1.1f, 0},
+                      {-0.4f, 1.2f, 0.1f},
+                      {-1.5f, 1.2f, 0.3f},
+                      {-1.2f, 0.1f, -0.2f},
+                      {-1.4f, -1.2f, 0.2f},
+                      {-0.5f, -1.1f, 0}});
 }
 
 Cage BowTieOfTriangles() {
@@ -49,7 +81,15 @@ Cage TouchingCubes() {
 }
 
 Cage Flipped() {
-    return FromFaces("neighbours that disagree", {{0, 1, 2, 3}, {0, 1, 5, 4}, {1, 6, 7, 2}});
+    return FromFaces("neighbours that disagree", {{0, 1, 2, 3}, {0, 1, 5, 4}, {1, 6, 7, 2}},
+                     {{0, 0, 0.3f},
+                      {1, 0, 0.5f},
+                      {1.1f, 1, 0},
+                      {0, 1.1f, 0.1f},
+                      {0.1f, -1, -0.2f},
+                      {1, -1.1f, 0},
+                      {2, 0.1f, 0.1f},
+                      {2.1f, 1, -0.3f}});
 }
 
 Cage Duplicate() {

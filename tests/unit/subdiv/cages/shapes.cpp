@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "tests/unit/subdiv/cageKit.h"
 
 namespace cc::test {
@@ -12,7 +14,16 @@ Cage TriangleStar(int valence) {
         faces.push_back({0, a, b});
         faces.push_back({b, a, 1 + valence + i});
     }
-    return FromFaces("triangle star" + std::to_string(valence), faces);
+    Cage cage = FromFaces("triangle star" + std::to_string(valence), faces);
+    for (int i = 0; i < 2 * valence; ++i) {
+        const int ring = i / valence;
+        const float angle = 6.28318530718f * (i + 0.5f * ring) / valence;
+        const float radius = ring == 0 ? 1 : 2.1f;
+        cage.points[1 + i] = {radius * std::cos(angle), radius * std::sin(angle),
+                              0.2f * std::sin(2.3f * i) - 0.5f * ring};
+    }
+    cage.points[0] = {0, 0, 0.6f};
+    return cage;
 }
 
 /// An octahedron: triangles only, valence 4 everywhere.
@@ -35,14 +46,34 @@ Cage Octahedron() {
 /// Faces of 3, 4, 5 and 6 corners around one vertex, on an open sheet.
 Cage MixedFan() {
     return FromFaces("fan of 3 4 5 and 6 corners",
-                     {{0, 1, 2}, {0, 2, 3, 4}, {0, 4, 5, 6, 7}, {0, 7, 8, 9, 10, 1}});
+                     {{0, 1, 2}, {0, 2, 3, 4}, {0, 4, 5, 6, 7}, {0, 7, 8, 9, 10, 1}},
+                     {{0, 0, 0.7f},
+                      {1.2f, 0, 0.1f},
+                      {0.4f, 1.1f, -0.1f},
+                      {-0.4f, 1.5f, 0.2f},
+                      {-1, 0.8f, 0},
+                      {-1.7f, 0.5f, 0.2f},
+                      {-1.8f, -0.5f, -0.2f},
+                      {-1, -0.8f, 0.1f},
+                      {-0.6f, -1.7f, -0.2f},
+                      {0.5f, -1.9f, 0.2f},
+                      {1.3f, -1, 0}});
 }
 
 /// Two quads back to back along two edges: their common vertex in the interior has valence 2.
 Cage ValenceTwo() {
     return FromFaces(
         "valence 2",
-        {{0, 1, 2, 3}, {0, 3, 2, 4}, {1, 5, 6, 2}, {2, 6, 7, 4}, {5, 1, 0, 8}, {8, 0, 4, 7}});
+        {{0, 1, 2, 3}, {0, 3, 2, 4}, {1, 5, 6, 2}, {2, 6, 7, 4}, {5, 1, 0, 8}, {8, 0, 4, 7}},
+        {{-0.8f, -0.8f, 0.3f},
+         {0.8f, -0.7f, 0.5f},
+         {0.8f, 0.8f, 0.3f},
+         {0.1f, 0, 0.8f},
+         {-0.7f, 0.8f, 0.4f},
+         {1.8f, -1.8f, 0.1f},
+         {1.7f, 1.8f, -0.2f},
+         {-1.8f, 1.8f, 0.1f},
+         {-1.8f, -1.7f, -0.1f}});
 }
 
 Cage QuadPillow() { return FromFaces("two quads back to back", {{0, 1, 2, 3}, {3, 2, 1, 0}}); }
