@@ -22,6 +22,7 @@ OPTIONS = ("--imageWidth", "160", "--set", "hdcc:samples=8", "--set", "hdcc:leve
 #: Options of scenes that need others; the last one given holds.
 MORE_OPTIONS: dict[str, tuple[str, ...]] = {
     "hero": ("--imageWidth", "180"),
+    "catalogue": ("--imageWidth", "144"),
     "primvars": ("--aov", "primvars:st"),
 }
 #: Scenes in which surfaces coincide: which of them a ray meets first is up to rounding.
