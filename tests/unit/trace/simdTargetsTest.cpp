@@ -67,19 +67,60 @@ void ExpectSameHit(const Cage& cage, const TracedCage& traced, const Trace& a, c
     }
 }
 
-/// Counts hits, and expects those of another target to be the same.
-int ExpectSame(const Cage& cage, const TracedCage& traced, const Trace& a, const Trace& b) {
-    int hitCount = 0;
+/// True if, of rays that run beside a ray at no more than a distance, some hit and others do not.
+bool PassesAnEdge(const TracedCage& traced, const Tracer& tracer, const RayPacket& rays, int i,
+                  float distance) {
+    constexpr float kFull = 6.2831853f;
+    const Vec3f direction = Normalize({rays.directionX[i], rays.directionY[i], rays.directionZ[i]});
+    const Vec3f side = Normalize(Cross(direction, {0.3f, 0.8f, 0.5f}));
+    const Vec3f up = Cross(side, direction);
+    RayPacket beside;
+    beside.count = kPacketSize;
+    for (int k = 0; k < kPacketSize; ++k) {
+        const float angle = kFull * static_cast<float>(k) / kPacketSize;
+        const Vec3f shift = (side * std::cos(angle) + up * std::sin(angle)) * distance;
+        beside.originX[k] = rays.originX[i] + shift.x;
+        beside.originY[k] = rays.originY[i] + shift.y;
+        beside.originZ[k] = rays.originZ[i] + shift.z;
+        beside.directionX[k] = rays.directionX[i];
+        beside.directionY[k] = rays.directionY[i];
+        beside.directionZ[k] = rays.directionZ[i];
+        beside.tMin[k] = rays.tMin[i];
+        beside.tMax[k] = 1e30f;
+    }
+    TraceStatistics statistics;
+    const uint64_t hits = tracer.Occluded(traced.world, beside, &statistics);
+    return hits != 0 && hits != ~uint64_t(0);
+}
+
+/// A bit for each ray that is not known to hit, or not to hit, on both targets.
+uint64_t Differing(const Trace& a, const Trace& b, int n) {
+    uint64_t differing = a.occluded[n] ^ b.occluded[n];
+    for (int i = 0; i < a.rays[n].count; ++i) {
+        differing |= uint64_t(a.hits[n].instance[i] != b.hits[n].instance[i]) << i;
+    }
+    return differing;
+}
+
+/// Counts hits, and expects those of another target, which is the one in use, to be the same. Only
+/// a ray by an edge may hit on one of them alone, and few of many do.
+int ExpectSame(const Cage& cage, const TracedCage& traced, const Tracer& tracer, const Trace& a,
+               const Trace& b) {
+    const float bound = kAgreement * traced.surface->Bounds().Diagonal();
+    int hitCount = 0, edgeCount = 0;
     for (int n = 0; n < kPacketCount; ++n) {
-        EXPECT_EQ(a.occluded[n], b.occluded[n]);
+        const uint64_t differing = Differing(a, b, n);
         for (int i = 0; i < a.rays[n].count; ++i) {
-            EXPECT_EQ(a.hits[n].instance[i], b.hits[n].instance[i]);
-            if (a.hits[n].instance[i] != kNoHit && b.hits[n].instance[i] != kNoHit) {
+            if ((differing >> i & 1) != 0) {
+                ++edgeCount;
+                EXPECT_TRUE(PassesAnEdge(traced, tracer, a.rays[n], i, bound));
+            } else if (a.hits[n].instance[i] != kNoHit) {
                 ++hitCount;
                 ExpectSameHit(cage, traced, a, b, n, i);
             }
         }
     }
+    EXPECT_LE(edgeCount, 1);
     return hitCount;
 }
 
@@ -107,7 +148,7 @@ TEST_P(SimdTargetsTest, HitTheSame) {
             ASSERT_EQ(CurrentSimdTarget(), target);
             std::unique_ptr<Trace> trace = TraceAll(traced, kind);
             if (best) {
-                EXPECT_GT(ExpectSame(GetParam(), traced, *best, *trace), 10);
+                EXPECT_GT(ExpectSame(GetParam(), traced, *MakeTracer(kind, 4), *best, *trace), 10);
             } else {
                 best = std::move(trace);
             }
