@@ -11,6 +11,7 @@
 #include "core/subdiv/limitPoint.h"
 #include "core/trace/tracer.h"
 #include "tests/unit/subdiv/testCages.h"
+#include "tests/unit/trace/rayAnswer.h"
 #include "tests/unit/trace/traceKit.h"
 
 namespace cc::test {
@@ -67,41 +68,6 @@ void ExpectSameHit(const Cage& cage, const TracedCage& traced, const Trace& a, c
     }
 }
 
-/// True if, of rays that run beside a ray at no more than a distance, some hit and others do not.
-bool PassesAnEdge(const TracedCage& traced, const Tracer& tracer, const RayPacket& rays, int i,
-                  float distance) {
-    constexpr float kFull = 6.2831853f;
-    const Vec3f direction = Normalize({rays.directionX[i], rays.directionY[i], rays.directionZ[i]});
-    const Vec3f side = Normalize(Cross(direction, {0.3f, 0.8f, 0.5f}));
-    const Vec3f up = Cross(side, direction);
-    RayPacket beside;
-    beside.count = kPacketSize;
-    for (int k = 0; k < kPacketSize; ++k) {
-        const float angle = kFull * static_cast<float>(k) / kPacketSize;
-        const Vec3f shift = (side * std::cos(angle) + up * std::sin(angle)) * distance;
-        beside.originX[k] = rays.originX[i] + shift.x;
-        beside.originY[k] = rays.originY[i] + shift.y;
-        beside.originZ[k] = rays.originZ[i] + shift.z;
-        beside.directionX[k] = rays.directionX[i];
-        beside.directionY[k] = rays.directionY[i];
-        beside.directionZ[k] = rays.directionZ[i];
-        beside.tMin[k] = rays.tMin[i];
-        beside.tMax[k] = 1e30f;
-    }
-    TraceStatistics statistics;
-    const uint64_t hits = tracer.Occluded(traced.world, beside, &statistics);
-    return hits != 0 && hits != ~uint64_t(0);
-}
-
-/// A bit for each ray that is not known to hit, or not to hit, on both targets.
-uint64_t Differing(const Trace& a, const Trace& b, int n) {
-    uint64_t differing = a.occluded[n] ^ b.occluded[n];
-    for (int i = 0; i < a.rays[n].count; ++i) {
-        differing |= uint64_t(a.hits[n].instance[i] != b.hits[n].instance[i]) << i;
-    }
-    return differing;
-}
-
 /// Counts hits, and expects those of another target, which is the one in use, to be the same. Only
 /// a ray by an edge may hit on one of them alone, and few of many do.
 int ExpectSame(const Cage& cage, const TracedCage& traced, const Tracer& tracer, const Trace& a,
@@ -109,11 +75,12 @@ int ExpectSame(const Cage& cage, const TracedCage& traced, const Tracer& tracer,
     const float bound = kAgreement * traced.surface->Bounds().Diagonal();
     int hitCount = 0, edgeCount = 0;
     for (int n = 0; n < kPacketCount; ++n) {
-        const uint64_t differing = Differing(a, b, n);
         for (int i = 0; i < a.rays[n].count; ++i) {
-            if ((differing >> i & 1) != 0) {
+            EXPECT_EQ((b.occluded[n] >> i & 1) != 0, b.hits[n].instance[i] != kNoHit);
+            if (a.hits[n].instance[i] != b.hits[n].instance[i]) {
                 ++edgeCount;
-                EXPECT_TRUE(PassesAnEdge(traced, tracer, a.rays[n], i, bound));
+                const RayAnswer answer = AnswerOf(traced.world, a.rays[n], a.hits[n], i);
+                EXPECT_TRUE(IsAnswerBeside(traced.world, tracer, a.rays[n], i, answer, bound));
             } else if (a.hits[n].instance[i] != kNoHit) {
                 ++hitCount;
                 ExpectSameHit(cage, traced, a, b, n, i);

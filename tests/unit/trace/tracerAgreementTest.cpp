@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdio>
 #include <random>
 
@@ -10,6 +9,7 @@
 #include "core/trace/objectRays.h"
 #include "core/trace/tracer.h"
 #include "tests/unit/subdiv/testCages.h"
+#include "tests/unit/trace/rayAnswer.h"
 #include "tests/unit/trace/traceKit.h"
 
 namespace cc::test {
@@ -32,60 +32,6 @@ constexpr Reference kReferences[] = {
     {"algorithm1 with texture coordinates", TracerKind::Algorithm1WithTexture},
 };
 constexpr size_t kReferenceCount = sizeof(kReferences) / sizeof(kReferences[0]);
-
-/// What one ray hits.
-struct Answer {
-    uint32_t instance = kNoHit, face = kNoHit;
-    float distance = 0;
-};
-
-Answer AnswerOf(const TracedCage& traced, const RayPacket& rays, const HitPacket& hits, int i) {
-    if (hits.instance[i] == kNoHit) {
-        return {};
-    }
-    const Vec3f direction{rays.directionX[i], rays.directionY[i], rays.directionZ[i]};
-    return {hits.instance[i], traced.surface->Patches().AuthoredFace(hits.patch[i]),
-            rays.tMax[i] * Length(direction)};
-}
-
-bool Agree(const Answer& a, const Answer& b, float bound) {
-    return a.instance == b.instance && a.face == b.face &&
-           std::fabs(a.distance - b.distance) <= bound;
-}
-
-/// True if the tracer gives an answer to some ray that runs beside ray i, at no more than a
-/// distance: the ray passes that close by an edge between both answers, or grazes the surface.
-bool IsAnswerBeside(const TracedCage& traced, const Tracer& tracer, const RayPacket& rays, int i,
-                    const Answer& answer, float distance) {
-    constexpr float kFull = 6.2831853f;
-    const Vec3f direction = Normalize({rays.directionX[i], rays.directionY[i], rays.directionZ[i]});
-    const Vec3f side = Normalize(Cross(direction, {0.3f, 0.8f, 0.5f}));
-    const Vec3f up = Cross(side, direction);
-    RayPacket beside;
-    beside.count = kPacketSize;
-    for (int k = 0; k < kPacketSize; ++k) {
-        const float angle = kFull * static_cast<float>(k % 16) / 16;
-        const float radius = distance * static_cast<float>(1 + k / 16) / 4;
-        const Vec3f shift = (side * std::cos(angle) + up * std::sin(angle)) * radius;
-        beside.originX[k] = rays.originX[i] + shift.x;
-        beside.originY[k] = rays.originY[i] + shift.y;
-        beside.originZ[k] = rays.originZ[i] + shift.z;
-        beside.directionX[k] = rays.directionX[i];
-        beside.directionY[k] = rays.directionY[i];
-        beside.directionZ[k] = rays.directionZ[i];
-        beside.tMin[k] = rays.tMin[i];
-        beside.tMax[k] = 1e30f;
-    }
-    HitPacket hits;
-    TraceStatistics statistics;
-    tracer.Intersect(traced.world, &beside, &hits, &statistics);
-    for (int k = 0; k < kPacketSize; ++k) {
-        if (Agree(AnswerOf(traced, beside, hits, k), answer, 10 * distance)) {
-            return true;
-        }
-    }
-    return false;
-}
 
 class TracerAgreementTest : public testing::TestWithParam<Cage> {
   protected:
@@ -129,8 +75,8 @@ TEST_P(TracerAgreementTest, ReferencesHitWhatPacketsHit) {
                 references[r]->Intersect(traced.world, &other, &otherHits, &statistics);
                 const uint64_t occluded = references[r]->Occluded(traced.world, rays, &statistics);
                 for (int i = 0; i < rays.count; ++i) {
-                    Answer expected = AnswerOf(traced, nearest, hits, i);
-                    const Answer found = AnswerOf(traced, other, otherHits, i);
+                    RayAnswer expected = AnswerOf(traced.world, nearest, hits, i);
+                    const RayAnswer found = AnswerOf(traced.world, other, otherHits, i);
                     if (HasCoincidentFaces(GetParam())) {
                         expected.face = found.face;
                     }
@@ -140,7 +86,7 @@ TEST_P(TracerAgreementTest, ReferencesHitWhatPacketsHit) {
                         continue;
                     }
                     ++_differing[r];
-                    EXPECT_TRUE(IsAnswerBeside(traced, *packet, rays, i, found, bound))
+                    EXPECT_TRUE(IsAnswerBeside(traced.world, *packet, rays, i, found, bound))
                         << kReferences[r].name << " has face " << int(found.face) << " at "
                         << found.distance << ", packet " << int(expected.face) << " at "
                         << expected.distance;
