@@ -5,12 +5,15 @@
 The bytes mean what surfaceFuzz.cpp reads them as.
 """
 
+import functools
 import random
 import sys
+from collections.abc import Callable
 from pathlib import Path
 
 Face = tuple[int, ...]
 Point = tuple[float, float, float]
+Encode = Callable[..., bytes]
 
 CUBE_POINTS = [
     ((i & 1) * 2 - 1.0, (i >> 1 & 1) * 2 - 1.0, (i >> 2 & 1) * 2 - 1.0) for i in range(8)
@@ -31,8 +34,9 @@ def encode(
     corners: tuple[tuple[int, float], ...] = (),
     holes: tuple[int, ...] = (),
     level: int = 2,
+    other: int = 0,
 ) -> bytes:
-    """A mesh and a packet of rays that looks at it."""
+    """A mesh and a packet of rays that looks at it, with packets and another kind of tracer."""
     data = [len(points)]
     for point in points:
         data += [coordinate(x) for x in point]
@@ -45,7 +49,7 @@ def encode(
     data.append(len(corners))
     for vertex, sharpness in corners:
         data += [vertex, coordinate(sharpness)]
-    data += [len(holes), *holes, level]
+    data += [len(holes), *holes, level + 4 * other]
     data += [63, coordinate(2.5), coordinate(3), coordinate(4)] + [127] * 64
     return bytes(data)
 
@@ -63,7 +67,7 @@ def triangulated(faces: list[Face]) -> list[Face]:
     return [(face[0], face[i - 1], face[i]) for face in faces for i in range(2, len(face))]
 
 
-def loop_seeds() -> dict[str, bytes]:
+def loop_seeds(encode: Encode) -> dict[str, bytes]:
     """Triangles under the Loop scheme."""
     points, quads = sheet(3)
     triangles = triangulated(quads)
@@ -85,8 +89,8 @@ def loop_seeds() -> dict[str, bytes]:
     }
 
 
-def seeds() -> dict[str, bytes]:
-    """Every seed by name."""
+def seeds(encode: Encode) -> dict[str, bytes]:
+    """Meshes by name."""
     points, faces = sheet(3)
     pyramid = [(0, 1, 2, 3), (0, 4, 1), (1, 4, 2), (2, 4, 3), (3, 4, 0)]
     return {
@@ -105,7 +109,7 @@ def seeds() -> dict[str, bytes]:
         "bow-tie": encode(CUBE_POINTS, [(0, 1, 3, 2), (0, 4, 6, 7)]),
         "three-on-an-edge": encode(CUBE_POINTS, [(0, 1, 3, 2), (0, 1, 5, 4), (1, 0, 6, 7)]),
         "collapsed": encode(CUBE_POINTS, [(0, 1, 3, 3), (0, 0, 5, 4), (1, 3, 1, 7)]),
-        **loop_seeds(),
+        **loop_seeds(encode),
     }
 
 
@@ -128,7 +132,11 @@ def main() -> None:
         raise SystemExit("usage: seeds.py FOLDER")
     folder = Path(sys.argv[1])
     folder.mkdir(parents=True, exist_ok=True)
-    for name, data in {**seeds(), **noise(40)}.items():
+    inputs = noise(40)
+    for other, kind in enumerate(("single", "algorithm1", "tessellated")):
+        for name, data in seeds(functools.partial(encode, other=other)).items():
+            inputs[f"{name}-{kind}"] = data
+    for name, data in inputs.items():
         (folder / name).write_bytes(data)
 
 

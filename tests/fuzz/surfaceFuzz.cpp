@@ -6,11 +6,13 @@
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
+#include <memory>
 #include <vector>
 
 #include "core/scene/scene.h"
 #include "core/subdiv/limitPoint.h"
 #include "core/trace/tracer.h"
+#include "tests/unit/trace/rayAnswer.h"
 
 namespace {
 
@@ -125,27 +127,83 @@ void Require(bool condition) {
     }
 }
 
-void Trace(const cc::InstanceBvh& instances, const cc::RayPacket& rays, int level) {
+/// A hit must be somewhere on a patch.
+void RequireHit(const cc::InstanceBvh& instances, const cc::RayPacket& nearest,
+                const cc::HitPacket& hits, int i) {
+    Require(hits.instance[i] < instances.Instances().size());
+    const cc::Surface& surface = *instances.Instances()[hits.instance[i]].surface;
+    Require(hits.patch[i] < surface.Patches().Count());
+    Require(hits.u[i] >= 0 && hits.u[i] <= 1 && hits.v[i] >= 0 && hits.v[i] <= 1);
+    Require(!surface.Patches().IsTriangle(hits.patch[i]) || hits.u[i] + hits.v[i] <= 1);
+    Require(nearest.tMax[i] >= 0);
+    cc::EvaluateLimit(surface.Patches(), hits.patch[i], surface.PatchPoints().data(), hits.u[i],
+                      hits.v[i]);
+}
+
+/// What a packet of rays hits.
+struct Traced {
+    std::unique_ptr<cc::Tracer> tracer;
+    cc::RayPacket rays;
+    cc::HitPacket hits;
+};
+
+Traced Trace(const cc::InstanceBvh& instances, const cc::RayPacket& rays, cc::TracerKind kind,
+             int level) {
+    Traced traced{cc::MakeTracer(kind, level), rays, {}};
     cc::TraceStatistics statistics;
-    for (const cc::TracerKind kind : {cc::TracerKind::Packet, cc::TracerKind::Single}) {
-        const auto tracer = cc::MakeTracer(kind, level);
-        cc::RayPacket nearest = rays;
-        cc::HitPacket hits;
-        tracer->Intersect(instances, &nearest, &hits, &statistics);
-        tracer->Occluded(instances, rays, &statistics);
-        for (int i = 0; i < rays.count; ++i) {
-            if (hits.instance[i] == cc::kNoHit) {
-                continue;
-            }
-            Require(hits.instance[i] < instances.Instances().size());
-            const cc::Surface& surface = *instances.Instances()[hits.instance[i]].surface;
-            Require(hits.patch[i] < surface.Patches().Count());
-            Require(hits.u[i] >= 0 && hits.u[i] <= 1 && hits.v[i] >= 0 && hits.v[i] <= 1);
-            Require(!surface.Patches().IsTriangle(hits.patch[i]) || hits.u[i] + hits.v[i] <= 1);
-            Require(nearest.tMax[i] >= 0);
-            cc::EvaluateLimit(surface.Patches(), hits.patch[i], surface.PatchPoints().data(),
-                              hits.u[i], hits.v[i]);
+    traced.tracer->Intersect(instances, &traced.rays, &traced.hits, &statistics);
+    const uint64_t occluded = traced.tracer->Occluded(instances, rays, &statistics);
+    for (int i = 0; i < rays.count; ++i) {
+        const bool isHit = traced.hits.instance[i] != cc::kNoHit;
+        Require((occluded >> i & 1) == isHit);
+        if (isHit) {
+            RequireHit(instances, traced.rays, traced.hits, i);
         }
+    }
+    return traced;
+}
+
+bool IsModerate(const cc::Vec3f& p) {
+    return std::fabs(p.x) < 100 && std::fabs(p.y) < 100 && std::fabs(p.z) < 100;
+}
+
+/// True if tracers may be held to the same hits: where numbers differ by many orders of magnitude,
+/// so may what they see, by the rounding of the large ones.
+bool IsModerate(const std::vector<cc::Vec3f>& points, const cc::RayPacket& rays) {
+    for (int i = 0; i < rays.count; ++i) {
+        const cc::Vec3f direction{rays.directionX[i], rays.directionY[i], rays.directionZ[i]};
+        if (!IsModerate({rays.originX[i], rays.originY[i], rays.originZ[i]}) ||
+            !IsModerate(direction) || cc::Length(direction) < 0.01f) {
+            return false;
+        }
+    }
+    return std::all_of(points.begin(), points.end(),
+                       [](const cc::Vec3f& p) { return IsModerate(p); });
+}
+
+/// What one tracer hits another must, but for rays by an edge.
+void RequireSame(const cc::InstanceBvh& instances, const cc::RayPacket& rays, const Traced& packet,
+                 const Traced& other) {
+    const float bound = 1e-5f * instances.Bounds().Diagonal();
+    for (int i = 0; i < rays.count; ++i) {
+        const auto expected = cc::test::AnswerOf(instances, packet.rays, packet.hits, i);
+        auto found = cc::test::AnswerOf(instances, other.rays, other.hits, i);
+        found.face = cc::test::kAnyFace;
+        Require(cc::test::Agree(expected, found, bound) ||
+                cc::test::IsAnswerBeside(instances, *packet.tracer, rays, i, found, bound));
+    }
+}
+
+/// Traces with packets and with one of the other kinds.
+void TraceWithTwo(const cc::InstanceBvh& instances, const cc::RayPacket& rays, int choice,
+                  const std::vector<cc::Vec3f>& points) {
+    constexpr cc::TracerKind kOthers[] = {cc::TracerKind::Single, cc::TracerKind::Algorithm1,
+                                          cc::TracerKind::Tessellated};
+    const int level = choice % 4;
+    const Traced packet = Trace(instances, rays, cc::TracerKind::Packet, level);
+    const Traced other = Trace(instances, rays, kOthers[choice / 4 % 3], level);
+    if (IsModerate(points, rays)) {
+        RequireSame(instances, rays, packet, other);
     }
 }
 
@@ -163,8 +221,8 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     mesh->SetTopology(ReadMesh(&bytes, pointCount));
     mesh->SetPoints(points);
     scene.Build({"geometry"});
-    const int level = bytes.Byte() % 4;
-    Trace(scene.Instances(), ReadRays(&bytes), level);
+    const int choice = bytes.Byte();
+    TraceWithTwo(scene.Instances(), ReadRays(&bytes), choice, points);
 
     // An edit: other points for the same topology.
     for (cc::Vec3f& p : points) {
@@ -172,6 +230,6 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     }
     mesh->SetPoints(points);
     scene.Build({"geometry"});
-    Trace(scene.Instances(), ReadRays(&bytes), level);
+    TraceWithTwo(scene.Instances(), ReadRays(&bytes), choice, points);
     return 0;
 }

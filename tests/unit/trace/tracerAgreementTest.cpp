@@ -75,10 +75,10 @@ TEST_P(TracerAgreementTest, ReferencesHitWhatPacketsHit) {
                 references[r]->Intersect(traced.world, &other, &otherHits, &statistics);
                 const uint64_t occluded = references[r]->Occluded(traced.world, rays, &statistics);
                 for (int i = 0; i < rays.count; ++i) {
-                    RayAnswer expected = AnswerOf(traced.world, nearest, hits, i);
-                    const RayAnswer found = AnswerOf(traced.world, other, otherHits, i);
+                    const RayAnswer expected = AnswerOf(traced.world, nearest, hits, i);
+                    RayAnswer found = AnswerOf(traced.world, other, otherHits, i);
                     if (HasCoincidentFaces(GetParam())) {
-                        expected.face = found.face;
+                        found.face = kAnyFace;
                     }
                     hitCount += found.instance != kNoHit;
                     EXPECT_EQ((occluded >> i & 1) != 0, found.instance != kNoHit);
