@@ -15,41 +15,60 @@
 namespace cc::test {
 namespace {
 
-/// By how much a step shrinks the faces around the vertex of a patch where that is least: a half at
-/// regular vertices, more at a high valence and in a bend of a boundary or crease.
-float SlowestShrinkage(const PatchTable& patches, uint32_t patch) {
-    constexpr double kPi = 3.14159265358979323846;
-    double angle = 2 * kPi / std::max<int>(patches.At(patch).valence, 4);
-    if (patches.At(patch).kind == PatchKind::Irregular) {
-        for (int corner = 0; corner < 4; ++corner) {
-            const PatchRing& ring = patches.Ring(patches.Indices(patch)[2 * corner]);
-            angle = std::min(angle, (ring.isClosed ? 2 : 1) * kPi / ring.faceCount);
-        }
-    }
-    const double c = std::cos(angle);
-    return static_cast<float>((c + 5 + std::sqrt((c + 9) * (c + 1))) / 16);
-}
-
-/// The same for triangles: 3/8 + cos(2 pi/n)/4 at a smooth vertex of valence n, and half the angle
-/// at a boundary or crease.
-float SlowestTriangleShrinkage(const PatchTable& patches, uint32_t patch) {
-    constexpr double kPi = 3.14159265358979323846;
-    double angle = kPi / 3;
-    if (patches.At(patch).kind == PatchKind::IrregularTriangle) {
-        for (int corner = 0; corner < 3; ++corner) {
-            const PatchRing& ring = patches.Ring(patches.Indices(patch)[2 * corner]);
-            angle = std::min(angle, (ring.isClosed ? 2 : 1) * kPi / ring.faceCount);
-        }
-    }
-    return static_cast<float>(0.375 + 0.25 * std::cos(angle));
-}
-
 class TracerTest : public testing::TestWithParam<Cage> {};
 
-TEST_P(TracerTest, HitsLieOnTheLimitSurface) {
+struct Triangle {
+    Vec3f a, b, c;
+    float weightB, weightC;
+
+    Vec3f Point() const { return a + (b - a) * weightB + (c - a) * weightC; }
+    /// The sine of the angle between it and a direction.
+    float Steepness(const Vec3f& direction) const {
+        return std::fabs(Dot(Normalize(Cross(b - a, c - a)), Normalize(direction)));
+    }
+};
+
+/// Where a hit must be: on one of the triangles into which a level cuts the unit square of a patch,
+/// or its triangle, between points of the limit surface.
+Triangle TriangleAt(const Surface& surface, int level, uint32_t patch, float u, float v) {
+    const PatchTable& patches = surface.Patches();
+    const Patch& p = patches.At(patch);
+    const int splits = std::max(level, patches.MaxDepth()) - p.depth;
+    const auto side = static_cast<float>(p.kind == PatchKind::FlatTriangle ? 1 : 1 << splits);
+    const auto cellOf = [side](float x) { return std::min(std::floor(x * side), side - 1); };
+    const float column = cellOf(u), row = cellOf(v);
+    const float across = u * side - column, along = v * side - row;
+    const auto at = [&](int right, int up) {
+        const float cornerU = (column + static_cast<float>(right)) / side;
+        const float cornerV = (row + static_cast<float>(up)) / side;
+        return EvaluateLimit(patches, patch, surface.PatchPoints().data(), cornerU, cornerV)
+            .position;
+    };
+    if (patches.IsTriangle(patch)) {
+        return across + along <= 1 ? Triangle{at(0, 0), at(1, 0), at(0, 1), across, along}
+                                   : Triangle{at(1, 1), at(0, 1), at(1, 0), 1 - across, 1 - along};
+    }
+    return across >= along ? Triangle{at(0, 0), at(1, 0), at(1, 1), across - along, along}
+                           : Triangle{at(0, 0), at(0, 1), at(1, 1), along - across, across};
+}
+
+/// Rounding moves grazing hits far along rays.
+void ExpectOnTriangle(const Surface& surface, int level, const RayPacket& rays,
+                      const HitPacket& hits, int i) {
+    const Triangle triangle = TriangleAt(surface, level, hits.patch[i], hits.u[i], hits.v[i]);
+    const Vec3f direction{rays.directionX[i], rays.directionY[i], rays.directionZ[i]};
+    const Vec3f difference = triangle.Point() - PointOf(rays, i);
+    EXPECT_LT(Length(difference) * triangle.Steepness(direction),
+              5e-6f * surface.Bounds().Diagonal())
+        << "level " << level;
+}
+
+/// Hits lie on triangles between limit points. How far those are from the surface is a matter of
+/// its curvature and of the level, not of the tracer; and so, however slowly patches shrink around
+/// a vertex of high valence, only rounding is to be allowed for.
+TEST_P(TracerTest, HitsLieOnTheTrianglesOfTheLimitSurface) {
     const TracedCage traced(GetParam());
     const Surface& surface = *traced.surface;
-    const std::unique_ptr<Tracer> tracer = MakeTracer(TracerKind::Packet, 6);
     std::mt19937 random(3);
     TraceStatistics statistics;
     int hitCount = 0;
@@ -59,31 +78,21 @@ TEST_P(TracerTest, HitsLieOnTheLimitSurface) {
                                 {0.1f, 0.2f, -1},
                                 {-0.7f, -0.6f, 0.5f}};
     for (const Vec3f& from : directions) {
-        for (int n = 0; n < 10; ++n) {
+        for (int n = 0; n < 12; ++n) {
+            const int level = 3 * (n % 3);
             RayPacket rays = CameraPacket(surface.Bounds(), from, 0.2f, &random);
             HitPacket hits;
-            tracer->Intersect(traced.world, &rays, &hits, &statistics);
+            MakeTracer(TracerKind::Packet, level)
+                ->Intersect(traced.world, &rays, &hits, &statistics);
             for (int i = 0; i < rays.count; ++i) {
-                if (hits.instance[i] == kNoHit) {
-                    continue;
+                if (hits.instance[i] != kNoHit) {
+                    ++hitCount;
+                    ExpectOnTriangle(surface, level, rays, hits, i);
                 }
-                ++hitCount;
-                const LimitPoint limit =
-                    EvaluateLimit(surface.Patches(), hits.patch[i], surface.PatchPoints().data(),
-                                  hits.u[i], hits.v[i]);
-                // Quads of level 6 are within a few 4^-6 of the surface, but those around a vertex
-                // of high valence shrink slower.
-                const PatchTable& patches = surface.Patches();
-                const float shrinkage = patches.IsTriangle(hits.patch[i])
-                                            ? SlowestTriangleShrinkage(patches, hits.patch[i])
-                                            : SlowestShrinkage(patches, hits.patch[i]);
-                const float tolerance = 1e-3f * std::pow(2 * shrinkage, 8.0f);
-                EXPECT_LT(Length(limit.position - PointOf(rays, i)),
-                          tolerance * surface.Bounds().Diagonal());
             }
         }
     }
-    EXPECT_GT(hitCount, 500);
+    EXPECT_GT(hitCount, 400);
 }
 
 TEST_P(TracerTest, SingleRaysAgreeWithPackets) {
