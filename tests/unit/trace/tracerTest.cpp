@@ -78,7 +78,7 @@ TEST_P(TracerTest, HitsLieOnTheTrianglesOfTheLimitSurface) {
                                 {0.1f, 0.2f, -1},
                                 {-0.7f, -0.6f, 0.5f}};
     for (const Vec3f& from : directions) {
-        for (int n = 0; n < 12; ++n) {
+        for (int n = 0; n < 6; ++n) {
             const int level = 3 * (n % 3);
             RayPacket rays = CameraPacket(surface.Bounds(), from, 0.2f, &random);
             HitPacket hits;
@@ -92,7 +92,7 @@ TEST_P(TracerTest, HitsLieOnTheTrianglesOfTheLimitSurface) {
             }
         }
     }
-    EXPECT_GT(hitCount, 400);
+    EXPECT_GT(hitCount, 200);
 }
 
 TEST_P(TracerTest, SingleRaysAgreeWithPackets) {
