@@ -60,6 +60,8 @@ static std::vector<std::string> _TracerNames() {
 
 static std::vector<_Setting> const &_Settings() {
     constexpr int kMost = std::numeric_limits<int>::max();
+    // Far more than any machine has; the scheduler cannot take tens of thousands.
+    constexpr int kMostThreads = 1024;
     static const std::vector<_Setting> settings{
         {_tokens->tracer, "Tracer", _Kind::Choice, VtValue(std::string("packet")), _TracerNames()},
         {_tokens->level, "Finest level", _Kind::Integer, VtValue(4), {}, 0, 8},
@@ -76,7 +78,7 @@ static std::vector<_Setting> const &_Settings() {
          {},
          std::numeric_limits<int>::min(),
          kMost},
-        {_tokens->threads, "Threads (0: all)", _Kind::Integer, VtValue(0), {}, 0, kMost},
+        {_tokens->threads, "Threads (0: all)", _Kind::Integer, VtValue(0), {}, 0, kMostThreads},
         {_tokens->aovs, "AOVs to keep", _Kind::Aovs, VtValue(std::string())},
     };
     return settings;

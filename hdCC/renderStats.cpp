@@ -2,9 +2,6 @@
 
 #include <sys/resource.h>
 
-#include <algorithm>
-#include <thread>
-
 #include "pxr/base/vt/array.h"
 #include "pxr/base/vt/types.h"
 #include "pxr/base/vt/value.h"
@@ -15,9 +12,9 @@ PXR_NAMESPACE_OPEN_SCOPE
 
 static double _Ratio(double a, double b) { return b > 0 ? a / b : 0.0; }
 
-static VtDictionary _RayRates(cc::RenderStatistics const &statistics, int threads) {
+static VtDictionary _RayRates(cc::RenderStatistics const &statistics) {
     // Seconds are added up over threads; a rate is what all of them do together.
-    const double scale = 1e-6 * threads;
+    const double scale = 1e-6 * statistics.threads;
     VtDictionary rates;
     rates["primary"] =
         VtValue(scale * _Ratio(double(statistics.primaryRays), statistics.primarySeconds));
@@ -60,9 +57,6 @@ static int64_t _PeakResidentBytes() {
 }
 
 VtDictionary HdCCRenderStats(HdCCFrame const &frame) {
-    const int threads = frame.options.threads > 0
-                            ? frame.options.threads
-                            : std::max(1, int(std::thread::hardware_concurrency()));
     VtDictionary seconds, rays, bytes;
     seconds["sync"] = VtValue(frame.syncSeconds);
     seconds["build"] = VtValue(frame.scene.buildSeconds);
@@ -79,7 +73,7 @@ VtDictionary HdCCRenderStats(HdCCFrame const &frame) {
     stats["patches"] = VtValue(int64_t(frame.scene.patches));
     stats["seconds"] = VtValue(seconds);
     stats["rays"] = VtValue(rays);
-    stats["mrays_per_second"] = VtValue(_RayRates(frame.statistics, threads));
+    stats["mrays_per_second"] = VtValue(_RayRates(frame.statistics));
     stats["bytes"] = VtValue(bytes);
     stats["levels"] = VtValue(_Levels(frame));
     stats["packet"] = VtValue(_PerPacket(frame.statistics.trace));

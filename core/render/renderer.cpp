@@ -35,6 +35,7 @@ size_t RenderTiles(const TileRenderer& renderer, const std::vector<Tile>& tiles,
                         break;
                     }
                     renderer.Render(tiles[i], &own);
+                    own.statistics.threads = 1;
                     done.fetch_add(1, std::memory_order_relaxed);
                     if (progress) {
                         progress->fetch_add(int64_t(tiles[i].width) * tiles[i].height);

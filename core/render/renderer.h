@@ -20,11 +20,13 @@ struct RenderOptions {
     int level = 4;     ///< 0..8
     int samples = 16;  ///< a pixel, 1 or more
     int seed = 0;
-    int threads = 0;  ///< 0: as many as there are cores
+    int threads = 0;  ///< up to 1024; 0: as many as there are cores
 };
 
 /// What a frame took.
 struct RenderStatistics {
+    /// Threads that had a part in it: fewer than were asked for if there is not work for all.
+    int threads = 0;
     uint64_t primaryRays = 0, shadowRays = 0;
     /// Seconds inside the tracer, added up over threads.
     double primarySeconds = 0, shadowSeconds = 0;
@@ -32,6 +34,7 @@ struct RenderStatistics {
     TraceStatistics trace;
 
     RenderStatistics& operator+=(const RenderStatistics& b) {
+        threads += b.threads;
         primaryRays += b.primaryRays;
         shadowRays += b.shadowRays;
         primarySeconds += b.primarySeconds;

@@ -263,6 +263,16 @@ TEST(RenderFrame, CountsRaysAndProgress) {
     EXPECT_GT(statistics.seconds, 0);
 }
 
+TEST(RenderFrame, CountsThreadsThatHadAPart) {
+    Scene scene;
+    AddCage(&scene, "/square", Square());
+    scene.Build({"geometry"});
+    Film film(8, 8, {Aov::PrimId});  // a single tile
+    RenderStatistics statistics;
+    RenderFrame(scene, CameraAt(2), Options(1, 4), &film, &statistics, nullptr, nullptr);
+    EXPECT_EQ(statistics.threads, 1);
+}
+
 TEST(RenderFrame, StopsWhenAsked) {
     Scene scene;
     AddCage(&scene, "/square", Square());
