@@ -14,6 +14,7 @@
 #include "pxr/base/gf/vec4f.h"
 #include "pxr/base/gf/vec4h.h"
 #include "pxr/base/gf/vec4i.h"
+#include "pxr/base/tf/stringUtils.h"
 #include "pxr/base/tf/token.h"
 
 PXR_NAMESPACE_OPEN_SCOPE
@@ -108,19 +109,50 @@ static bool _ToScheme(TfToken const &token, cc::Scheme *scheme) {
     return true;
 }
 
-static cc::BoundaryRule _ToBoundaryRule(TfToken const &token) {
-    return token == "none"       ? cc::BoundaryRule::None
-           : token == "edgeOnly" ? cc::BoundaryRule::EdgeOnly
-                                 : cc::BoundaryRule::EdgeAndCorner;
-}
+/// A rule that a mesh's attribute may name. The first of a list is what holds if none is named.
+template <class Rule>
+struct _Choice {
+    char const *name;
+    Rule rule;
+};
 
-static cc::FaceVaryingRule _ToFaceVaryingRule(TfToken const &token) {
-    return token == "none"           ? cc::FaceVaryingRule::None
-           : token == "cornersOnly"  ? cc::FaceVaryingRule::CornersOnly
-           : token == "cornersPlus2" ? cc::FaceVaryingRule::CornersPlus2
-           : token == "boundaries"   ? cc::FaceVaryingRule::Boundaries
-           : token == "all"          ? cc::FaceVaryingRule::All
-                                     : cc::FaceVaryingRule::CornersPlus1;
+static constexpr _Choice<cc::BoundaryRule> kBoundaryRules[] = {
+    {"edgeAndCorner", cc::BoundaryRule::EdgeAndCorner},
+    {"edgeOnly", cc::BoundaryRule::EdgeOnly},
+    {"none", cc::BoundaryRule::None},
+};
+static constexpr _Choice<cc::FaceVaryingRule> kFaceVaryingRules[] = {
+    {"cornersPlus1", cc::FaceVaryingRule::CornersPlus1},
+    {"none", cc::FaceVaryingRule::None},
+    {"cornersOnly", cc::FaceVaryingRule::CornersOnly},
+    {"cornersPlus2", cc::FaceVaryingRule::CornersPlus2},
+    {"boundaries", cc::FaceVaryingRule::Boundaries},
+    {"all", cc::FaceVaryingRule::All},
+};
+static constexpr _Choice<cc::CreaseRule> kCreaseRules[] = {
+    {"uniform", cc::CreaseRule::Uniform},
+    {"chaikin", cc::CreaseRule::Chaikin},
+};
+static constexpr _Choice<cc::TriangleRule> kTriangleRules[] = {
+    {"catmullClark", cc::TriangleRule::CatmullClark},
+    {"smooth", cc::TriangleRule::Smooth},
+};
+static constexpr _Choice<bool> kIsLeftHanded[] = {{"rightHanded", false}, {"leftHanded", true}};
+
+/// The rule that a token names. Another token is warned about, but for the empty one.
+template <class Rule, size_t kCount>
+static Rule _Choose(char const *attribute, TfToken const &token,
+                    _Choice<Rule> const (&choices)[kCount], std::vector<std::string> *warnings) {
+    for (_Choice<Rule> const &choice : choices) {
+        if (token == choice.name) {
+            return choice.rule;
+        }
+    }
+    if (!token.IsEmpty()) {
+        warnings->push_back(TfStringPrintf("%s cannot be '%s'; %s is used", attribute,
+                                           token.GetText(), choices[0].name));
+    }
+    return choices[0].rule;
 }
 
 template <class T>
@@ -129,18 +161,20 @@ static std::vector<T> _ToVector(VtArray<T> const &values) {
 }
 
 bool HdCCToControlMesh(HdMeshTopology const &topology, PxOsdSubdivTags const &tags,
-                       cc::ControlMesh *mesh) {
+                       cc::ControlMesh *mesh, std::vector<std::string> *warnings) {
     *mesh = cc::ControlMesh();
     if (!_ToScheme(topology.GetScheme(), &mesh->scheme)) {
         return false;
     }
-    mesh->boundaryRule = _ToBoundaryRule(tags.GetVertexInterpolationRule());
-    mesh->creaseRule =
-        tags.GetCreaseMethod() == "chaikin" ? cc::CreaseRule::Chaikin : cc::CreaseRule::Uniform;
-    mesh->triangleRule = tags.GetTriangleSubdivision() == "smooth" ? cc::TriangleRule::Smooth
-                                                                   : cc::TriangleRule::CatmullClark;
-    mesh->faceVaryingRule = _ToFaceVaryingRule(tags.GetFaceVaryingInterpolationRule());
-    mesh->leftHanded = topology.GetOrientation() == "leftHanded";
+    mesh->boundaryRule =
+        _Choose("interpolateBoundary", tags.GetVertexInterpolationRule(), kBoundaryRules, warnings);
+    mesh->creaseRule = _Choose("creaseMethod", tags.GetCreaseMethod(), kCreaseRules, warnings);
+    mesh->triangleRule =
+        _Choose("triangleSubdivisionRule", tags.GetTriangleSubdivision(), kTriangleRules, warnings);
+    mesh->faceVaryingRule =
+        _Choose("faceVaryingLinearInterpolation", tags.GetFaceVaryingInterpolationRule(),
+                kFaceVaryingRules, warnings);
+    mesh->leftHanded = _Choose("orientation", topology.GetOrientation(), kIsLeftHanded, warnings);
 
     mesh->faceVertexCounts = _ToVector(topology.GetFaceVertexCounts());
     mesh->faceVertexIndices = _ToVector(topology.GetFaceVertexIndices());

@@ -37,9 +37,10 @@ bool HdCCToVec3fs(VtValue const &value, std::vector<cc::Vec3f> *result);
 /// Returns false if the value holds anything else; an empty value gives no numbers.
 bool HdCCToNumbers(VtValue const &value, int *arity, std::vector<float> *numbers);
 
+/// @param warnings  gets a line for each rule that does not exist; the usual one is taken
 /// Returns false if the renderer knows no such scheme.
 bool HdCCToControlMesh(HdMeshTopology const &topology, PxOsdSubdivTags const &tags,
-                       cc::ControlMesh *mesh);
+                       cc::ControlMesh *mesh, std::vector<std::string> *warnings);
 
 /// Makes a camera of the matrices that Hydra's pass state gives for the whole picture.
 /// Returns false if there is no such camera: a matrix is singular or not finite, or the clipping

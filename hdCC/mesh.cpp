@@ -1,6 +1,8 @@
 #include "hdCC/mesh.h"
 
 #include <algorithm>
+#include <string>
+#include <vector>
 
 #include "pxr/base/tf/diagnostic.h"
 #include "pxr/base/tf/staticTokens.h"
@@ -51,6 +53,7 @@ void HdCCMesh::_InitRepr(TfToken const &repr, HdDirtyBits *) {
 void HdCCMesh::Sync(HdSceneDelegate *delegate, HdRenderParam *param, HdDirtyBits *dirtyBits,
                     TfToken const &) {
     const HdCCRenderParam::SyncScope scope(param);
+    HdCCRenderParam *const shared = static_cast<HdCCRenderParam *>(param);
     const HdDirtyBits bits = *dirtyBits;
     _delegate = delegate;
 
@@ -58,14 +61,14 @@ void HdCCMesh::Sync(HdSceneDelegate *delegate, HdRenderParam *param, HdDirtyBits
         _mesh->SetPrimId(GetPrimId());
     }
     if (bits & (HdChangeTracker::DirtyTopology | HdChangeTracker::DirtySubdivTags)) {
-        _SyncTopology(delegate);
+        _SyncTopology(delegate, shared);
     }
     if (bits & (HdChangeTracker::DirtyPoints | HdChangeTracker::DirtyComputationPrimvarDesc)) {
         _SyncPoints(delegate);
     }
     if (bits & (HdChangeTracker::DirtyPrimvar | HdChangeTracker::DirtyNormals |
                 HdChangeTracker::DirtyTopology)) {
-        _SyncPrimvars(delegate, static_cast<HdCCRenderParam *>(param)->GetPrimvarsAskedFor());
+        _SyncPrimvars(delegate, shared->GetPrimvarsAskedFor());
     }
     if (bits & HdChangeTracker::DirtyTransform) {
         _mesh->SetTransform(HdCCToTransform(delegate->GetTransform(GetId())));
@@ -73,20 +76,25 @@ void HdCCMesh::Sync(HdSceneDelegate *delegate, HdRenderParam *param, HdDirtyBits
     if (bits & (HdChangeTracker::DirtyDoubleSided | HdChangeTracker::DirtyCullStyle)) {
         _SyncSides(delegate);
     }
-    _SyncShown(delegate, param, dirtyBits);
+    _SyncShown(delegate, shared, dirtyBits);
 
     *dirtyBits &= ~HdDirtyBits(HdChangeTracker::AllSceneDirtyBits);
 }
 
-void HdCCMesh::_SyncTopology(HdSceneDelegate *delegate) {
+void HdCCMesh::_SyncTopology(HdSceneDelegate *delegate, HdCCRenderParam *param) {
     const HdMeshTopology topology = delegate->GetMeshTopology(GetId());
     const PxOsdSubdivTags tags = delegate->GetSubdivTags(GetId());
     cc::ControlMesh mesh;
-    _hasTopology = HdCCToControlMesh(topology, tags, &mesh);
+    std::vector<std::string> warnings;
+    _hasTopology = HdCCToControlMesh(topology, tags, &mesh, &warnings);
+    for (std::string const &warning : warnings) {
+        param->WarnOnce(GetId(), warning);
+    }
     if (!_hasTopology) {
         TF_WARN("<%s>: the subdivision scheme '%s' is not supported; the mesh is left out",
                 GetId().GetText(), topology.GetScheme().GetText());
     }
+    _hasFaces = !mesh.faceVertexCounts.empty();
     _isPolygonal = _hasTopology && mesh.scheme == cc::Scheme::None;
     _mesh->SetTopology(std::move(mesh));
 }
@@ -160,6 +168,9 @@ void HdCCMesh::_SyncPrimvar(HdSceneDelegate *delegate, TfToken const &name) {
                 "it is ignored",
                 GetId().GetText(), name.GetText(), value.GetTypeName().c_str());
             primvar = cc::Primvar();
+        } else if (primvar.IsEmpty() && _hasFaces) {
+            TF_WARN("<%s>: primvars:%s has no values; it is ignored", GetId().GetText(),
+                    name.GetText());
         }
     }
     _mesh->SetPrimvar(name.GetString(), std::move(primvar));
@@ -194,14 +205,14 @@ void HdCCMesh::_SyncSides(HdSceneDelegate *delegate) {
     }
 }
 
-void HdCCMesh::_SyncShown(HdSceneDelegate *delegate, HdRenderParam *param, HdDirtyBits *dirtyBits) {
+void HdCCMesh::_SyncShown(HdSceneDelegate *delegate, HdCCRenderParam *param,
+                          HdDirtyBits *dirtyBits) {
     _UpdateVisibility(delegate, dirtyBits);
     _UpdateInstancer(delegate, dirtyBits);
     HdInstancer::_SyncInstancerAndParents(delegate->GetRenderIndex(), GetInstancerId());
     const bool instanced = !GetInstancerId().IsEmpty();
     if (instanced) {
-        static_cast<HdCCRenderParam *>(param)->WarnOnce(
-            GetId(), "instancing is not supported yet; the prototype is left out");
+        param->WarnOnce(GetId(), "instancing is not supported yet; the prototype is left out");
     }
     _mesh->SetRenderTag(GetRenderTag().GetString());
     _mesh->SetVisible(IsVisible() && !instanced && _hasTopology && _hasPoints);

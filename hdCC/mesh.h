@@ -32,17 +32,17 @@ class HdCCMesh final : public HdMesh {
     void _InitRepr(TfToken const &repr, HdDirtyBits *dirtyBits) override;
 
   private:
-    void _SyncTopology(HdSceneDelegate *delegate);
+    void _SyncTopology(HdSceneDelegate *delegate, HdCCRenderParam *param);
     void _SyncPoints(HdSceneDelegate *delegate);
     void _SyncPrimvars(HdSceneDelegate *delegate, TfTokenVector names);
     void _SyncPrimvar(HdSceneDelegate *delegate, TfToken const &name);
     void _SyncSides(HdSceneDelegate *delegate);
-    void _SyncShown(HdSceneDelegate *delegate, HdRenderParam *param, HdDirtyBits *dirtyBits);
+    void _SyncShown(HdSceneDelegate *delegate, HdCCRenderParam *param, HdDirtyBits *dirtyBits);
 
     cc::Mesh *_mesh;
     /// What the mesh was last synced with: primvars may be asked for later.
     HdSceneDelegate *_delegate = nullptr;
-    bool _hasTopology = false, _hasPoints = false;
+    bool _hasTopology = false, _hasPoints = false, _hasFaces = false;
     /// Polygons have normals of their own; subdivision takes those of the surface.
     bool _isPolygonal = false;
 };

@@ -110,7 +110,7 @@ bool Scene::_BuildMeshes(const std::vector<Mesh*>& meshes, std::vector<std::stri
         _work.surfacesMoved += report.work == Mesh::SurfaceWork::Moved;
         _work.primvarsBuilt += report.primvarsBuilt;
         for (const std::string& line : report.lines) {
-            lines->push_back(meshes[i]->Name() + ": " + line);
+            lines->push_back("<" + meshes[i]->Name() + ">: " + line);
         }
     }
     return changed;

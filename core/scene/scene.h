@@ -31,8 +31,8 @@ class Scene {
     /// @param tessellationLevel  for TracerKind::Tessellated: what is shown is tessellated at this
     ///                           level, 0..8, unless memory does not hold that; without one the
     ///                           memory of tessellations is given back
-    /// Returns one line for each thing that was wrong, beginning with the mesh's name. A line is
-    /// returned once, not at every Build.
+    /// Returns one line for each thing that was wrong, beginning with `<name>: ` of the mesh. A
+    /// line is returned once, not at every Build.
     std::vector<std::string> Build(const std::vector<std::string>& renderTags,
                                    std::optional<int> tessellationLevel = std::nullopt);
 

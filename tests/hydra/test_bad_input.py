@@ -155,7 +155,32 @@ def test_bad_tags_are_dropped(name: str, warnings: Any) -> None:
     assert "/Good" in warnings.read()
 
 
+RULES = {
+    "interpolateBoundary": "edgeAndCorner",
+    "faceVaryingLinearInterpolation": "cornersPlus1",
+    "triangleSubdivisionRule": "catmullClark",
+    "orientation": "rightHanded",
+}
+
+
+@pytest.mark.parametrize("attribute", RULES)
+def test_rule_that_does_not_exist_is_warned_about_once(attribute: str, warnings: Any) -> None:
+    expected = render(make_good_stage())
+    stage = make_stage()
+    mesh = add_grid(stage, "/Good", bump=0.5, **{attribute: "sometimes"})
+    view = View(stage)
+    assert_same(view.render(), expected)
+    said = warnings.read()
+    assert f"</Good>: {attribute} cannot be 'sometimes'; {RULES[attribute]} is used" in said
+    assert said.count("</Good>") == 1
+    mesh.GetHoleIndicesAttr().Set([3])
+    view.execute()
+    assert "</Good>" not in warnings.read()
+
+
 COLORS: dict[str, tuple[str, int, list[int] | None]] = {
+    "none_constant": ("constant", 0, None),
+    "none_vertex": ("vertex", 0, None),
     "too_few_vertex": ("vertex", 3, None),
     "too_many_vertex": ("vertex", 100, None),
     "too_few_uniform": ("uniform", 1, None),
@@ -179,6 +204,13 @@ def test_bad_color_is_ignored(name: str, warnings: Any) -> None:
     picture = render(stage)
     assert_same(picture, expected, [aov for aov in ALL_AOVS if aov != "color"])
     assert "/Good" in warnings.read()
+
+
+def test_empty_mesh_may_have_empty_colors(warnings: Any) -> None:
+    stage = make_good_stage()
+    add_mesh(stage, "/Worse/Empty", [], [], [], displayColor=[])
+    render(stage)
+    assert "/Worse/Empty" not in warnings.read()
 
 
 @pytest.mark.parametrize("scale", [0.0, NAN, INF])

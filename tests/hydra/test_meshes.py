@@ -133,7 +133,7 @@ def test_loop_leaves_meshes_of_other_faces_out_with_a_warning(warnings: Any) -> 
     add_cube(stage, "/Loop").CreateSubdivisionSchemeAttr("loop")
     picture = render(stage)
     said = warnings.read()
-    assert "/Loop: 6 of 6 faces are no triangles" in said
+    assert "</Loop>: 6 of 6 faces are no triangles" in said
     assert_same(picture, expected)
 
 

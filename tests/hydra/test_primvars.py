@@ -188,7 +188,7 @@ def test_wrong_sizes_are_said_once(interpolation: str, count: int, warnings: Any
     assert shows_something(picture)
     assert (picture["primvars:st"] == 0).all()
     said = warnings.read()
-    assert said.count("/Cube: st is") == 1 and interpolation in said
+    assert said.count("</Cube>: st is") == 1 and interpolation in said
     view.render()
     assert "/Cube" not in warnings.read()
 

@@ -20,7 +20,7 @@ struct OneMesh {
         const std::vector<std::string> lines = Build();
         EXPECT_EQ(lines.size(), 1u);
         const std::string line = lines.empty() ? "" : lines[0];
-        EXPECT_EQ(line.rfind("/mesh: ", 0), 0u) << line;
+        EXPECT_EQ(line.rfind("</mesh>: ", 0), 0u) << line;
         EXPECT_EQ(line.find('\n'), std::string::npos);
         return line;
     }

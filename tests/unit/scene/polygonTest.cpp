@@ -211,7 +211,7 @@ TEST(Polygon, BadNormalsGiveFacetsAndOneWarning) {
           Primvar{Interpolation::Constant, 2, {1, 0}, {}}}) {
         const NormalOfSquare square(normals);
         ASSERT_EQ(square.lines.size(), 1u);
-        EXPECT_NE(square.lines[0].find("/square: "), std::string::npos);
+        EXPECT_NE(square.lines[0].find("</square>: "), std::string::npos);
         EXPECT_NE(square.lines[0].find("normals"), std::string::npos);
         EXPECT_NE(square.lines[0].find("facets"), std::string::npos);
         ExpectNear(square.normal, {0, 0, 1});
