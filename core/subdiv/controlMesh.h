@@ -43,6 +43,11 @@ struct ControlMesh {
     std::vector<int> cornerIndices;
     std::vector<float> cornerSharpnesses;
 
+    /// Of a FaceVaryingMesh under Chaikin's rule: vertices, and for each the sharpness of a
+    /// semi-sharp edge that is not the mesh's but decays with the vertex's own (RingTags).
+    std::vector<int> seamIndices;
+    std::vector<float> seamSharpnesses;
+
     int FaceCount() const { return static_cast<int>(faceVertexCounts.size()); }
 };
 

@@ -34,11 +34,12 @@ PatchParameter FromFace(const Patch& patch, const FaceParameter& at) {
 
 FaceVaryingChannel::FaceVaryingChannel(const ControlMesh& mesh, size_t pointCount, int arity,
                                        const std::vector<float>& values,
-                                       const std::vector<int>& valueIndices, std::string* warning) {
+                                       const std::vector<int>& valueIndices, std::string* error) {
     const FaceVaryingMesh channel = MakeFaceVaryingMesh(mesh, pointCount, valueIndices);
-    std::string error;
-    _patches = BuildPatchTable(channel.mesh, channel.values.size(), &error);
-    *warning = error.empty() ? channel.warning : error;
+    _patches = BuildPatchTable(channel.mesh, channel.values.size(), error);
+    if (!channel.error.empty()) {
+        *error = channel.error;
+    }
     std::vector<float> vertexValues;
     vertexValues.reserve(channel.values.size() * static_cast<size_t>(arity));
     for (int value : channel.values) {

@@ -21,10 +21,10 @@ class FaceVaryingChannel {
     /// @param arity         numbers a value, 1 to 4
     /// @param values        finite numbers, one value after the other
     /// @param valueIndices  the value of each face-vertex; equal indices at a vertex are one value
-    /// @param warning       set to what is approximate or wrong; empty if all is well
+    /// @param error         set to the reason if the topology cannot be used; empty otherwise
     FaceVaryingChannel(const ControlMesh& mesh, size_t pointCount, int arity,
                        const std::vector<float>& values, const std::vector<int>& valueIndices,
-                       std::string* warning);
+                       std::string* error);
 
     bool IsEmpty() const { return _patches.Count() == 0; }
     /// The value at a point of a visible face; zero if the face has no patches.

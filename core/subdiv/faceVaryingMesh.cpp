@@ -1,12 +1,12 @@
 #include "core/subdiv/faceVaryingMesh.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include <opensubdiv/sdc/crease.h>
 
 #include "core/subdiv/refinementLevel.h"
+#include "core/subdiv/ringTags.h"
 
 namespace cc {
 namespace {
@@ -24,26 +24,28 @@ struct Span {
     int innerEdgeCount = 0;
     bool hasSharpEdge = false;
     /// Of the inner edges that are semi-sharp.
-    std::vector<float> sharpnesses;
+    RingTags::Sharpnesses sharpnesses;
 
     /// True if the value cannot be that of a smooth boundary: the faces are several fans, or an
     /// infinitely sharp edge runs through them.
     bool IsDisjoint() const { return hasSharpEdge || faceCount - innerEdgeCount > 1; }
 };
 
-/// Sharpness of a corner that decays as the semi-sharp edges of another span do: in the step in
-/// which the last of them go, it counts as much as they do on average.
-float DependentSharpness(const std::vector<float>& edges) {
-    const float steps = std::ceil(*std::max_element(edges.begin(), edges.end())) - 1;
-    float sum = 0;
-    int count = 0;
-    for (float sharpness : edges) {
-        if (sharpness > steps) {
-            sum += sharpness - steps;
-            ++count;
+/// Sharpness of a corner that is one for as long as another span has semi-sharp edges. In the step
+/// in which the last of them go, it counts as much as they do; or wholly, if an edge along the seam
+/// stays semi-sharp.
+/// @param other  the edges of the other span, and those along the seam
+float DependentSharpness(RingTags other) {
+    const auto isSharp = [](float sharpness) { return sharpness > 0; };
+    for (float steps = 0;; ++steps) {
+        const RingTags decayed = other.Decayed();
+        if (std::none_of(decayed.edgeSharpness.begin(), decayed.edgeSharpness.end(), isSharp)) {
+            const bool staysAlongSeam =
+                std::any_of(decayed.seamSharpness.begin(), decayed.seamSharpness.end(), isSharp);
+            return steps + (staysAlongSeam ? 1 : other.FractionalWeight(decayed));
         }
+        other = decayed;
     }
-    return steps + sum / static_cast<float>(count);
 }
 
 /// Follows OpenSubdiv's analysis of a face-varying channel (Vtr::internal::FVarLevel), vertex by
@@ -52,11 +54,10 @@ class FaceVaryingMeshBuilder {
   public:
     FaceVaryingMeshBuilder(const ControlMesh& cage, size_t pointCount,
                            const std::vector<int>& valueIndices)
-        : _cage(cage), _valueIndices(valueIndices), _base(cage, pointCount, &_error) {}
+        : _cage(cage), _valueIndices(valueIndices), _base(cage, pointCount, &_result.error) {}
 
     FaceVaryingMesh Build() {
         if (!_base.IsValid()) {
-            _result.warning = _error;
             return std::move(_result);
         }
         const TopologyLevel level = _base.Topology();
@@ -73,6 +74,9 @@ class FaceVaryingMeshBuilder {
         }
         for (Index vertex = 0; vertex < level.GetNumVertices(); ++vertex) {
             _AddCorners(level, vertex);
+            if (_cage.creaseRule == CreaseRule::Chaikin) {
+                _AddSeams(level, vertex);
+            }
         }
         return std::move(_result);
     }
@@ -111,19 +115,29 @@ class FaceVaryingMeshBuilder {
     void _AddVertices(const TopologyLevel& level, Index vertex) {
         const ConstIndexArray faces = level.GetVertexFaces(vertex);
         const ConstLocalIndexArray places = level.GetVertexFaceLocalIndices(vertex);
-        std::vector<std::pair<int, int>> valuesAt;
+        _firstVertex.push_back(_VertexCount());
+        std::vector<int>& values = _result.values;
+        int latest = -1;
         for (int i = 0; i < faces.size(); ++i) {
             const int at = _firstCorner[faces[i]] + places[i];
-            valuesAt.emplace_back(_valueIndices[_corners[at]], at);
-        }
-        std::sort(valuesAt.begin(), valuesAt.end());
-        _firstVertex.push_back(_VertexCount());
-        for (size_t i = 0; i < valuesAt.size(); ++i) {
-            if (i == 0 || valuesAt[i].first != valuesAt[i - 1].first) {
-                _result.values.push_back(valuesAt[i].first);
+            const int value = _valueIndices[_corners[at]];
+            if (latest < 0 || value != values[latest]) {
+                latest = _FindValue(value, _firstVertex.back(), !level.IsVertexNonManifold(vertex));
+                if (latest == _VertexCount()) {
+                    values.push_back(value);
+                }
             }
-            _vertexAt[valuesAt[i].second] = _VertexCount() - 1;
+            _vertexAt[at] = latest;
         }
+    }
+
+    /// Finds a value, other than the one before, among those that were met around a vertex. Like
+    /// OpenSubdiv, where only two were, takes the second for a new one when it comes again.
+    int _FindValue(int value, int first, bool isOrdered) const {
+        const auto begin = _result.values.begin() + first, end = _result.values.end();
+        const bool isAgain = isOrdered && end - begin == 2 && value == begin[1];
+        return static_cast<int>((isAgain ? end : std::find(begin, end, value)) -
+                                _result.values.begin());
     }
 
     int _VertexCount() const { return static_cast<int>(_result.values.size()); }
@@ -194,6 +208,31 @@ class FaceVaryingMeshBuilder {
         }
     }
 
+    /// Under Chaikin's rule, edges of the cage decay together at a vertex, whatever values they are
+    /// between.
+    void _AddSeams(const TopologyLevel& level, Index vertex) {
+        ControlMesh& mesh = _result.mesh;
+        for (Index edge : level.GetVertexEdges(vertex)) {
+            const float sharpness = level.GetEdgeSharpness(edge);
+            if (!Crease::IsSemiSharp(sharpness)) {
+                continue;
+            }
+            const int own = _isSplit[edge] ? -1 : _ValueAt(level, vertex, edge);
+            for (int i = 0; i < _ValueCount(vertex); ++i) {
+                if (_firstVertex[vertex] + i != own) {
+                    mesh.seamIndices.push_back(_firstVertex[vertex] + i);
+                    mesh.seamSharpnesses.push_back(sharpness);
+                }
+            }
+        }
+    }
+
+    /// The vertex of the new mesh at a vertex of the cage, on an edge that is not split.
+    int _ValueAt(const TopologyLevel& level, Index vertex, Index edge) const {
+        const std::pair<int, int> ends = _Ends(level, edge, 0);
+        return level.GetEdgeVertices(edge)[0] == vertex ? ends.first : ends.second;
+    }
+
     void _AddCorner(int vertex, float sharpness) {
         if (sharpness > 0) {
             _result.mesh.cornerIndices.push_back(vertex);
@@ -250,7 +289,7 @@ class FaceVaryingMeshBuilder {
                (_cage.faceVaryingRule == FaceVaryingRule::CornersPlus2 && isDart);
     }
 
-    std::vector<Span> _GatherSpans(const TopologyLevel& level, Index vertex) {
+    std::vector<Span> _GatherSpans(const TopologyLevel& level, Index vertex) const {
         const int first = _firstVertex[vertex];
         std::vector<Span> spans(_ValueCount(vertex));
         const ConstIndexArray faces = level.GetVertexFaces(vertex);
@@ -258,28 +297,34 @@ class FaceVaryingMeshBuilder {
         for (int i = 0; i < faces.size(); ++i) {
             ++spans[_vertexAt[_firstCorner[faces[i]] + places[i]] - first].faceCount;
         }
-        int semiSharpCount = 0;
         for (Index edge : level.GetVertexEdges(vertex)) {
             const float sharpness = level.GetEdgeSharpness(edge);
-            semiSharpCount += Crease::IsSemiSharp(sharpness);
             if (_isSplit[edge] || level.GetEdgeFaces(edge).size() < 2) {
                 continue;
             }
-            const std::pair<int, int> ends = _Ends(level, edge, 0);
-            const bool isFirst = level.GetEdgeVertices(edge)[0] == vertex;
-            Span& span = spans[(isFirst ? ends.first : ends.second) - first];
+            Span& span = spans[_ValueAt(level, vertex, edge) - first];
             ++span.innerEdgeCount;
             span.hasSharpEdge = span.hasSharpEdge || Crease::IsInfinite(sharpness);
             if (Crease::IsSemiSharp(sharpness)) {
                 span.sharpnesses.push_back(sharpness);
             }
         }
-        if (semiSharpCount > 1 && _cage.creaseRule == CreaseRule::Chaikin) {
-            _result.warning =
-                "Chaikin creases meet where faceVarying values split, where their sharpness is "
-                "approximate";
-        }
         return spans;
+    }
+
+    /// The semi-sharp edges of a span, and those along its seam.
+    RingTags _TagsOf(const TopologyLevel& level, Index vertex, const Span& span) const {
+        RingTags tags;
+        tags.decay = _cage.creaseRule == CreaseRule::Chaikin ? SharpnessDecay::Chaikin
+                                                             : SharpnessDecay::Uniform;
+        tags.edgeSharpness = span.sharpnesses;
+        tags.farSharpness.assign(tags.edgeSharpness.size(), 0);
+        for (Index edge : level.GetVertexEdges(vertex)) {
+            if (_isSplit[edge] && Crease::IsSemiSharp(level.GetEdgeSharpness(edge))) {
+                tags.seamSharpness.push_back(level.GetEdgeSharpness(edge));
+            }
+        }
+        return tags;
     }
 
     void _AddSpanCorners(const TopologyLevel& level, Index vertex) {
@@ -297,8 +342,9 @@ class FaceVaryingMeshBuilder {
                 (spans[i].faceCount == 1 && _cage.faceVaryingRule != FaceVaryingRule::None);
             float sharpness =
                 isCorner ? Crease::SHARPNESS_INFINITE : level.GetVertexSharpness(vertex);
-            if (isPair && spans[i].sharpnesses.empty() && !spans[1 - i].sharpnesses.empty()) {
-                sharpness = std::max(sharpness, DependentSharpness(spans[1 - i].sharpnesses));
+            if (isPair && sharpness <= 0 && spans[i].sharpnesses.size() == 0 &&
+                spans[1 - i].sharpnesses.size() > 0) {
+                sharpness = DependentSharpness(_TagsOf(level, vertex, spans[1 - i]));
             }
             _AddCorner(_firstVertex[vertex] + static_cast<int>(i), sharpness);
         }
@@ -306,9 +352,8 @@ class FaceVaryingMeshBuilder {
 
     const ControlMesh& _cage;
     const std::vector<int>& _valueIndices;
-    std::string _error;
-    RefinementLevel _base;
     FaceVaryingMesh _result;
+    RefinementLevel _base;
 
     /// Face-vertices of the level's faces, face by face: which authored one each is.
     std::vector<int> _corners;

@@ -16,8 +16,8 @@ struct FaceVaryingMesh {
     ControlMesh mesh;
     /// Which value each vertex of the mesh has.
     std::vector<int> values;
-    /// What could only be had approximately, and why; empty if nothing.
-    std::string warning;
+    /// Why there is no mesh; empty if there is one.
+    std::string error;
 };
 
 /// True if a face-varying primvar is bilinear over each authored face, or linear over a triangle of

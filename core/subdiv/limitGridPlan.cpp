@@ -45,6 +45,15 @@ void AppendRing(const PatchTable& patches, const PatchRing& ring, uint32_t face,
     for (uint32_t edge = 0; edge < edgeCount; ++edge) {
         signature->push_back(Bits(tags.edgeSharpness[(first + edge) % edgeCount]));
     }
+    if (tags.decay == SharpnessDecay::Chaikin) {
+        signature->push_back(ring.seamCount);
+        for (uint32_t edge = 0; edge < edgeCount; ++edge) {
+            signature->push_back(Bits(tags.farSharpness[(first + edge) % edgeCount]));
+        }
+        for (const float sharpness : tags.seamSharpness) {
+            signature->push_back(Bits(sharpness));
+        }
+    }
     for (const float sharpness : tags.outsideSharpness) {
         signature->push_back(Bits(sharpness));
     }

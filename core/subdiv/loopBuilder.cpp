@@ -21,9 +21,7 @@ class LoopBuilder {
         const auto vertices = _level->Topology().GetFaceVertices(face);
         bool isRegular = true;
         for (int corner = 0; corner < 3; ++corner) {
-            if (!GatherCornerRing(_level->Topology(), vertices[corner],
-                                  _level->VertexSharpness(vertices[corner]), face,
-                                  &_corners[corner])) {
+            if (!GatherCornerRing(*_level, vertices[corner], face, &_corners[corner])) {
                 return false;
             }
             isRegular = isRegular && _corners[corner].tags.IsRegular(6);

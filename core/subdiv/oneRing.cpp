@@ -220,15 +220,14 @@ float SharpnessOf(const TopologyLevel& level, Index edge) {
 /// Walks around a vertex between barriers: sharp edges beyond which nothing shapes this side.
 class CornerRingGatherer {
   public:
-    CornerRingGatherer(const TopologyLevel& level, Index vertex, float vertexSharpness,
-                       CornerRing* ring)
-        : _level(level),
+    CornerRingGatherer(const RefinementLevel& refinement, Index vertex, CornerRing* ring)
+        : _refinement(refinement),
+          _level(refinement.Topology()),
           _vertex(vertex),
-          _vertexSharpness(vertexSharpness),
-          _faceCount(level.GetVertexFaces(vertex).size()),
+          _faceCount(_level.GetVertexFaces(vertex).size()),
           _ring(*ring) {
-        for (Index edge : level.GetVertexEdges(vertex)) {
-            _sharpEdgeCount += IsSharp(level, edge);
+        for (Index edge : _level.GetVertexEdges(vertex)) {
+            _sharpEdgeCount += IsSharp(_level, edge);
         }
     }
 
@@ -243,12 +242,17 @@ class CornerRingGatherer {
         }
         _ring = CornerRing();
         _ring.tags.isClosed = !_IsBarrier(at.edge);
-        _ring.tags.vertexSharpness = _vertexSharpness;
+        _ring.tags.vertexSharpness = _refinement.VertexSharpness(_vertex);
         _ring.vertices.push_back(_vertex);
         if (!_Collect(at)) {
             return false;
         }
         _CollectOutside();
+        const auto seam = _refinement.SeamsByVertex().find(_vertex);
+        if (seam != _refinement.SeamsByVertex().end()) {
+            _ring.tags.seamSharpness.assign(seam->second.data(),
+                                            seam->second.data() + seam->second.size());
+        }
         return true;
     }
 
@@ -354,18 +358,9 @@ class CornerRingGatherer {
     /// RingTags::farSharpness.
     float _FarSharpness(Index edge) const {
         const float sharpness = SharpnessOf(_level, edge);
-        float sum = 0;
-        int count = 0;
-        if (Crease::IsSemiSharp(sharpness)) {
-            for (Index other : _level.GetVertexEdges(_OtherEnd(edge))) {
-                const float s = SharpnessOf(_level, other);
-                if (other != edge && Crease::IsSemiSharp(s)) {
-                    sum += s;
-                    ++count;
-                }
-            }
-        }
-        return count > 0 ? sum / static_cast<float>(count) : sharpness;
+        return Crease::IsSemiSharp(sharpness)
+                   ? MeanOfOthers(_level, _refinement.SeamsByVertex(), edge, _OtherEnd(edge))
+                   : sharpness;
     }
 
     Index _OtherEnd(Index edge) const {
@@ -373,9 +368,9 @@ class CornerRingGatherer {
         return ends[0] == _vertex ? ends[1] : ends[0];
     }
 
-    const TopologyLevel& _level;
+    const RefinementLevel& _refinement;
+    const TopologyLevel _level;
     const Index _vertex;
-    const float _vertexSharpness;
     const int _faceCount;
     int _sharpEdgeCount = 0;
     CornerRing& _ring;
@@ -384,9 +379,8 @@ class CornerRingGatherer {
 
 }  // namespace
 
-bool GatherCornerRing(const TopologyLevel& level, int vertex, float vertexSharpness, int face,
-                      CornerRing* ring) {
-    return CornerRingGatherer(level, vertex, vertexSharpness, ring).Gather(face);
+bool GatherCornerRing(const RefinementLevel& level, int vertex, int face, CornerRing* ring) {
+    return CornerRingGatherer(level, vertex, ring).Gather(face);
 }
 
 OneRings::OneRings(const TopologyLevel& level) : _level(level) {

@@ -6,6 +6,7 @@
 #include <opensubdiv/far/topologyLevel.h>
 
 #include "core/subdiv/gridPosition.h"
+#include "core/subdiv/refinementLevel.h"
 #include "core/subdiv/ringTags.h"
 
 namespace cc {
@@ -77,8 +78,6 @@ struct CornerRing {
 
 /// Gathers the side of a vertex that a face is on. Returns false if a face there has another number
 /// of sides than this one, or if the faces do not form a fan.
-/// @param vertexSharpness  of the vertex (RefinementLevel::VertexSharpness)
-bool GatherCornerRing(const OpenSubdiv::Far::TopologyLevel& level, int vertex,
-                      float vertexSharpness, int face, CornerRing* ring);
+bool GatherCornerRing(const RefinementLevel& level, int vertex, int face, CornerRing* ring);
 
 }  // namespace cc

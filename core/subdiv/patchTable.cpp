@@ -26,7 +26,9 @@ RingTags PatchTable::TagsOf(const PatchRing& ring) const {
     tags.outsideSharpness.assign(outside, outside + ring.outsideCount);
     if (_decay == SharpnessDecay::Chaikin) {
         const float* const far = outside + ring.outsideCount;
-        tags.farSharpness.assign(far, far + tags.edgeSharpness.size());
+        const float* const seam = far + tags.edgeSharpness.size();
+        tags.farSharpness.assign(far, seam);
+        tags.seamSharpness.assign(seam, seam + ring.seamCount);
     }
     tags.vertexSharpness = ring.vertexSharpness;
     tags.isClosed = ring.isClosed;

@@ -50,12 +50,14 @@ struct Patch {
 /// A vertex with the faces and tags that shape one side of it (RingTags), shared by the irregular
 /// patches around the vertex. Its points are the vertex, then its edge neighbours, and among quads
 /// the face diagonals between those, then the neighbours outside; its sharpnesses are those of the
-/// edges, then outsideCount others, then under Chaikin's rule those at the edges' far ends.
+/// edges, then outsideCount others, then under Chaikin's rule those at the edges' far ends and
+/// seamCount beyond seams.
 struct PatchRing {
     uint32_t firstIndex;
     uint32_t firstSharpness;
-    uint32_t faceCount;
+    uint16_t faceCount;
     uint16_t outsideCount;
+    uint16_t seamCount;
     bool isClosed;
     uint8_t outsideNeighborCount;
     float vertexSharpness;

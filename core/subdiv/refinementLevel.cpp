@@ -159,6 +159,17 @@ Part ExtractPart(const Far::TopologyLevel& level, const std::vector<int>& faces,
     return part;
 }
 
+Seams SeamsOf(const Part& part, const Seams& ofLevel) {
+    Seams seams;
+    for (size_t i = 0; i < part.vertices.size() && !ofLevel.empty(); ++i) {
+        const auto found = ofLevel.find(part.vertices[i]);
+        if (found != ofLevel.end()) {
+            seams[static_cast<int>(i)] = found->second;
+        }
+    }
+    return seams;
+}
+
 /// The child's vertices, from the corner of its cell that (0,0) of the parent's parameters is
 /// nearest to on.
 void OrderChild(const Far::ConstIndexArray& child, Far::Index cornerVertex, int cellCorner,
@@ -264,6 +275,9 @@ RefinementLevel::RefinementLevel(const ControlMesh& mesh, size_t pointCount, std
     for (int vertex = 0; vertex < Topology().GetNumVertices(); ++vertex) {
         _vertexSharpness.push_back(Topology().GetVertexSharpness(vertex));
     }
+    for (size_t i = 0; i < mesh.seamIndices.size(); ++i) {
+        _seams[mesh.seamIndices[i]].push_back(mesh.seamSharpnesses[i]);
+    }
     _patchPoints.resize(pointCount);
     for (size_t i = 0; i < pointCount; ++i) {
         _patchPoints[i] = static_cast<uint32_t>(i);
@@ -273,8 +287,13 @@ RefinementLevel::RefinementLevel(const ControlMesh& mesh, size_t pointCount, std
 RefinementLevel::RefinementLevel(RefinementLevel* parent, const std::vector<int>& faces)
     : _parent(parent) {
     const Far::TopologyLevel parentLevel = parent->Topology();
-    const std::vector<int> partFaces = FacesAndNeighbors(parentLevel, faces);
-    Part part = ExtractPart(parentLevel, partFaces, parent->_refiner->GetSchemeOptions());
+    const Sdc::Options options = parent->_refiner->GetSchemeOptions();
+    std::vector<int> partFaces = FacesAndNeighbors(parentLevel, faces);
+    if (options.GetCreasingMethod() == Sdc::Options::CREASE_CHAIKIN) {
+        // Edges of neighbours decay by what meets them at their far ends.
+        partFaces = FacesAndNeighbors(parentLevel, partFaces);
+    }
+    Part part = ExtractPart(parentLevel, partFaces, options);
     if (!part.refiner) {
         return;
     }
@@ -312,10 +331,14 @@ RefinementLevel::RefinementLevel(RefinementLevel* parent, const std::vector<int>
             _origins.push_back(child);
         }
     }
+    SeamRefinement seams = RefineSeams(*part.refiner, SeamsOf(part, parent->_seams));
     for (int edge = 0; edge < fine.GetNumEdges(); ++edge) {
-        if (fine.GetEdgeSharpness(edge) > 0) {
+        const auto atSeam = seams.edgeSharpness.find(edge);
+        const float sharpness =
+            atSeam == seams.edgeSharpness.end() ? fine.GetEdgeSharpness(edge) : atSeam->second;
+        if (sharpness > 0) {
             const Far::ConstIndexArray ends = fine.GetEdgeVertices(edge);
-            description.AddCrease(ends[0], ends[1], fine.GetEdgeSharpness(edge));
+            description.AddCrease(ends[0], ends[1], sharpness);
         }
     }
     for (int vertex = 0; vertex < fine.GetNumVertices(); ++vertex) {
@@ -332,6 +355,16 @@ RefinementLevel::RefinementLevel(RefinementLevel* parent, const std::vector<int>
     }
     _rows.resize(fine.GetNumVertices());
     Far::PrimvarRefiner(*part.refiner).Interpolate(1, identity, _rows);
+    for (const SeamRow& row : seams.rows) {
+        _rows[row.vertex].Clear();
+        for (const auto& [vertex, weight] : row.coarse) {
+            _rows[row.vertex].AddWithWeight(identity[vertex], weight);
+        }
+        for (const auto& [vertex, weight] : row.facePoints) {
+            _rows[row.vertex].AddWithWeight(_rows[vertex], weight);
+        }
+    }
+    _seams = std::move(seams.seams);
     for (MaskRow& row : _rows) {
         row.Merge();
     }

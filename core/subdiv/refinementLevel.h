@@ -10,6 +10,7 @@
 
 #include "core/subdiv/controlMesh.h"
 #include "core/subdiv/patchTable.h"
+#include "core/subdiv/seamRefinement.h"
 
 namespace cc {
 
@@ -43,6 +44,7 @@ class RefinementLevel {
     /// than that, since it takes the level for a cage: those on an edge whose two faces disagree
     /// about its direction, which is no manifold but is refined to a crease.
     float VertexSharpness(int vertex) const { return _vertexSharpness[vertex]; }
+    const Seams& SeamsByVertex() const { return _seams; }
 
     /// The patch point of a vertex, added to the table when it is first asked for.
     uint32_t PatchPoint(int vertex, PatchTable* table);
@@ -68,6 +70,7 @@ class RefinementLevel {
     /// Of the cage's faces that lost corners: which they kept.
     std::map<int, std::vector<int>> _keptCorners;
     std::vector<float> _vertexSharpness;
+    Seams _seams;
     /// Above the cage: how a vertex comes from the parent's.
     std::vector<MaskRow> _rows;
     std::vector<uint32_t> _patchPoints;

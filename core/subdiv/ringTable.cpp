@@ -14,8 +14,7 @@ bool RingTable::Find(int vertex, int face, RingPlace* place) {
         return false;
     }
     CornerRing ring;
-    if (!GatherCornerRing(_level->Topology(), vertex, _level->VertexSharpness(vertex), face,
-                          &ring)) {
+    if (!GatherCornerRing(*_level, vertex, face, &ring)) {
         return false;
     }
     *place = Add(ring, face);
@@ -34,8 +33,9 @@ RingPlace RingTable::Add(const CornerRing& ring, int face) {
     }
     const RingTags& tags = ring.tags;
     PatchRing stored{};
-    stored.faceCount = static_cast<uint32_t>(ring.faces.size());
+    stored.faceCount = static_cast<uint16_t>(ring.faces.size());
     stored.outsideCount = static_cast<uint16_t>(tags.outsideSharpness.size());
+    stored.seamCount = static_cast<uint16_t>(tags.seamSharpness.size());
     stored.isClosed = tags.isClosed;
     stored.outsideNeighborCount = static_cast<uint8_t>(tags.outsideNeighborCount);
     stored.vertexSharpness = tags.vertexSharpness;
@@ -44,6 +44,7 @@ RingPlace RingTable::Add(const CornerRing& ring, int face) {
                        tags.outsideSharpness.end());
     if (_table->Decay() == SharpnessDecay::Chaikin) {
         sharpnesses.insert(sharpnesses.end(), tags.farSharpness.begin(), tags.farSharpness.end());
+        sharpnesses.insert(sharpnesses.end(), tags.seamSharpness.begin(), tags.seamSharpness.end());
     }
     const uint32_t index = _table->AddRing(stored, points, sharpnesses);
     for (uint32_t i = 0; i < stored.faceCount; ++i) {

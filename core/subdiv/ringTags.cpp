@@ -28,6 +28,7 @@ struct SemiSharpSum {
     explicit SemiSharpSum(const RingTags& tags) {
         _Add(tags.edgeSharpness);
         _Add(tags.outsideSharpness);
+        _Add(tags.seamSharpness);
     }
     float MeanWithout(float sharpness) const {
         return IsSemiSharp(sharpness) && count > 1
@@ -111,6 +112,9 @@ RingTags RingTags::Decayed() const {
     for (float s : outsideSharpness) {
         decayed.outsideSharpness.push_back(decayedOf(s));
     }
+    for (float s : seamSharpness) {
+        decayed.seamSharpness.push_back(decayedOf(s));
+    }
     decayed.vertexSharpness = DecayUniformly(vertexSharpness);
     return decayed;
 }
@@ -126,8 +130,8 @@ float RingTags::OtherSharpness(int edge) const {
 }
 
 float RingTags::EdgeWeight(int edge, const RingTags& decayed) const {
-    const bool staysSharp =
-        IsEnd(edge) || (decayed.edgeSharpness[edge] > 0 && FarDecayed(edge) > 0);
+    const bool isOutside = edge >= static_cast<int>(edgeSharpness.size());
+    const bool staysSharp = isOutside || (decayed.edgeSharpness[edge] > 0 && FarDecayed(edge) > 0);
     return staysSharp ? 1 : edgeSharpness[edge];
 }
 

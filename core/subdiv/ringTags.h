@@ -28,6 +28,10 @@ struct RingTags {
     /// Under Chaikin's rule, one an edge: the mean sharpness of the other semi-sharp edges at its
     /// far end, or its own if there are none. The uniform rule does not read it.
     Sharpnesses farSharpness;
+    /// Under Chaikin's rule, of face-varying values: sharpness of the vertex's semi-sharp edges on
+    /// and beyond the seam where the values split. They take part in the mean that edges decay by,
+    /// but in nothing else.
+    InlineVector<float, 2> seamSharpness;
     /// Where the vertex may lie on a crease that the ring does not have whole, the number of that
     /// crease's edges outside. Their far ends follow the ring's own edge neighbours. One if an open
     /// ring begins and ends with the same edge, which has three or more faces; two if a closed ring
@@ -46,12 +50,6 @@ struct RingTags {
     int NeighborCount() const {
         return static_cast<int>(edgeSharpness.size()) + outsideNeighborCount;
     }
-    /// True for the first and last edge of an open ring, and for those outside.
-    bool IsEnd(int edge) const {
-        const int last = static_cast<int>(edgeSharpness.size()) - 1;
-        return edge > last || (!isClosed && (edge == 0 || edge == last));
-    }
-
     Rule VertexRule() const;
     /// True if every tag has settled: what is sharp is so for ever.
     bool IsSettled() const;

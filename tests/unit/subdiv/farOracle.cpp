@@ -2,13 +2,10 @@
 #include <array>
 #include <cmath>
 
-#include <opensubdiv/far/patchMap.h>
-#include <opensubdiv/far/patchTableFactory.h>
 #include <opensubdiv/far/primvarRefiner.h>
-#include <opensubdiv/far/ptexIndices.h>
 
+#include "tests/unit/subdiv/farPatches.h"
 #include "tests/unit/subdiv/limitOracle.h"
-#include "tests/unit/subdiv/oracleTopology.h"
 
 namespace cc::test {
 namespace {
@@ -121,21 +118,12 @@ Ring Refine(const Ring& ring) {
 class FarOracle : public LimitOracle {
   public:
     FarOracle(const ControlMesh& mesh, const std::vector<Values>& cage, int levels)
-        : _topology(mesh, cage.size()), _cage(cage), _rules(RulesOf(mesh)) {
-        Far::TopologyRefiner* refiner = _topology.Refiner();
-        if (refiner == nullptr) {
+        : _patches(mesh, cage.size(), levels), _cage(cage), _rules(RulesOf(mesh)) {
+        if (!_patches.IsValid()) {
             return;
         }
-        Far::PatchTableFactory::Options options(levels);
-        options.SetPatchPrecision<double>();
-        options.useInfSharpPatch = true;
-        options.generateLegacySharpCornerPatches = false;
-        refiner->RefineAdaptive(options.GetRefineAdaptiveOptions());
-        _ptex = std::make_unique<Far::PtexIndices>(*refiner);
-        _table.reset(Far::PatchTableFactory::Create(*refiner, options));
-        _map = std::make_unique<Far::PatchMap>(*_table);
-
-        _values.resize(refiner->GetNumVerticesTotal() + _table->GetNumLocalPoints());
+        const Far::TopologyRefiner* refiner = _patches.Topology().Refiner();
+        _values.resize(refiner->GetNumVerticesTotal() + _patches.Table().GetNumLocalPoints());
         std::copy(cage.begin(), cage.end(), _values.begin());
         const Far::PrimvarRefinerReal<double> primvars(*refiner);
         Values* coarse = _values.data();
@@ -144,34 +132,35 @@ class FarOracle : public LimitOracle {
             primvars.Interpolate(level, coarse, fine);
             coarse = fine;
         }
-        if (_table->GetNumLocalPoints() > 0) {
-            _table->GetLocalPointStencilTable<double>()->UpdateValues(
+        if (_patches.Table().GetNumLocalPoints() > 0) {
+            _patches.Table().GetLocalPointStencilTable<double>()->UpdateValues(
                 _values.data(), _values.data() + refiner->GetNumVerticesTotal());
         }
     }
 
     bool HasFace(uint32_t face) override {
-        return _FindPatch({face, _FirstCorner(face), 0.5f, 0.5f}) != nullptr;
+        return _patches.Find({face, _FirstCorner(face), 0.5f, 0.5f}) != nullptr;
     }
 
     Sample Evaluate(const FaceParameter& at) override {
-        if (_FindPatch(at) == nullptr) {
+        if (_patches.Find(at) == nullptr) {
             return {};
         }
         const CornerOfFace corner = _CornerAt(at);
-        const bool isExact =
-            corner.vertex < 0 || HasExactMask(_topology.Refiner()->GetLevel(0), corner.vertex);
+        const bool isExact = corner.vertex < 0 || HasExactMask(_Cage(), corner.vertex);
         return isExact ? _EvaluatePatch(at) : _EvaluateDeep(corner);
     }
 
   private:
+    Far::TopologyLevel _Cage() const { return _patches.Topology().Refiner()->GetLevel(0); }
+
     Sample _EvaluatePatch(const FaceParameter& at) const {
-        const Far::PatchTable::PatchHandle* patch = _FindPatch(at);
+        const FarPatches::Handle* patch = _patches.Find(at);
         double weights[20], weightsU[20], weightsV[20];
-        _table->EvaluateBasis(*patch, static_cast<double>(at.u), static_cast<double>(at.v), weights,
-                              weightsU, weightsV);
+        _patches.Table().EvaluateBasis(*patch, static_cast<double>(at.u), static_cast<double>(at.v),
+                                       weights, weightsU, weightsV);
         Values value, du, dv;
-        const Far::ConstIndexArray points = _table->GetPatchVertices(*patch);
+        const Far::ConstIndexArray points = _patches.Table().GetPatchVertices(*patch);
         for (int i = 0; i < points.size(); ++i) {
             value.AddWithWeight(_values[points[i]], weights[i]);
             du.AddWithWeight(_values[points[i]], weightsU[i]);
@@ -185,35 +174,20 @@ class FarOracle : public LimitOracle {
     /// Some corner that a face kept.
     uint32_t _FirstCorner(uint32_t face) const {
         uint32_t corner = 0;
-        while (_topology.Face(face) >= 0 && _topology.Corner(face, corner) != 0) {
+        while (_patches.Topology().Face(face) >= 0 &&
+               _patches.Topology().Corner(face, corner) != 0) {
             ++corner;
         }
         return corner;
     }
 
-    const Far::PatchTable::PatchHandle* _FindPatch(const FaceParameter& at) const {
-        const int face = _topology.Face(at.face);
-        if (!_map || face < 0) {
-            return nullptr;
-        }
-        const int corner = _IsWhole(face) ? 0 : _topology.Corner(at.face, at.corner);
-        return _map->FindPatch(_ptex->GetFaceId(face) + corner, at.u, at.v);
-    }
-
-    /// True if parameters are of the face and not of sub-quads.
-    bool _IsWhole(Far::Index face) const {
-        return _topology.Refiner()->GetLevel(0).GetFaceVertices(face).size() ==
-               (_rules.scheme == Scheme::Loop ? 3 : 4);
-    }
-
     /// The corner of a face that a place is at. No vertex if it is none.
     CornerOfFace _CornerAt(const FaceParameter& at) const {
-        const Far::Index face = _topology.Face(at.face);
-        const Far::ConstIndexArray vertices =
-            _topology.Refiner()->GetLevel(0).GetFaceVertices(face);
-        if (!_IsWhole(face)) {
+        const Far::Index face = _patches.Topology().Face(at.face);
+        const Far::ConstIndexArray vertices = _Cage().GetFaceVertices(face);
+        if (!_patches.IsWhole(face)) {
             const bool isCorner = at.u == 0 && at.v == 0;
-            return {face, isCorner ? vertices[_topology.Corner(at.face, at.corner)] : -1};
+            return {face, isCorner ? vertices[_patches.Topology().Corner(at.face, at.corner)] : -1};
         }
         const bool isCorner = (at.u == 0 || at.u == 1) && (at.v == 0 || at.v == 1);
         const int last = vertices.size() - 1;
@@ -224,19 +198,16 @@ class FarOracle : public LimitOracle {
     /// Refines the ring of a corner, and only that, until it is too small to matter.
     static constexpr int kEnough = 24;
     Sample _EvaluateDeep(const CornerOfFace& corner) const {
-        Ring ring = RingOf(_topology.Refiner()->GetLevel(0), corner, _cage, _rules);
+        Ring ring = RingOf(_Cage(), corner, _cage, _rules);
         for (int level = 0; level < kEnough; ++level) {
             ring = Refine(ring);
         }
         return FarOracle(ring.mesh, ring.points, 1)._EvaluatePatch({0, 0, 0, 0});
     }
 
-    OracleTopology _topology;
+    FarPatches _patches;
     const std::vector<Values> _cage;
     const ControlMesh _rules;
-    std::unique_ptr<Far::PtexIndices> _ptex;
-    std::unique_ptr<Far::PatchTable> _table;
-    std::unique_ptr<Far::PatchMap> _map;
     /// Of all levels' vertices, then of the points that patches add.
     std::vector<Values> _values;
 };

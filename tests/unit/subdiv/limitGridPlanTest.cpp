@@ -4,6 +4,7 @@
 
 #include "core/subdiv/limitPoint.h"
 #include "core/subdiv/patchBuilder.h"
+#include "tests/unit/subdiv/cageKit.h"
 #include "tests/unit/subdiv/testCages.h"
 
 namespace cc::test {
@@ -38,8 +39,7 @@ Vec3f PlannedPoint(const BuiltCage& built, uint32_t patch, const LimitGridPlan& 
 
 class LimitGridPlanTest : public testing::TestWithParam<Cage> {};
 
-TEST_P(LimitGridPlanTest, GivesThePointsOfTheLimitSurface) {
-    const BuiltCage built(GetParam());
+void ExpectPointsOfTheLimitSurface(const BuiltCage& built) {
     const LimitGridPlans plans(built.patches);
     for (uint32_t patch = 0; patch < built.patches.Count(); ++patch) {
         const LimitGridPlan* plan = plans.Of(patch);
@@ -68,6 +68,10 @@ TEST_P(LimitGridPlanTest, GivesThePointsOfTheLimitSurface) {
     }
 }
 
+TEST_P(LimitGridPlanTest, GivesThePointsOfTheLimitSurface) {
+    ExpectPointsOfTheLimitSurface(BuiltCage(GetParam()));
+}
+
 INSTANTIATE_TEST_SUITE_P(Catalogue, LimitGridPlanTest, testing::ValuesIn(Catalogue()), TestName);
 
 TEST(LimitGridPlans, ShareThePlansOfEqualRings) {
@@ -80,6 +84,17 @@ TEST(LimitGridPlans, ShareThePlansOfEqualRings) {
         ASSERT_NE(plans.Of(patch), nullptr);
         EXPECT_EQ(plans.Of(patch), others.Of(patch));
     }
+}
+
+/// Sheets whose patches beside vertex 24 differ in nothing but what the crease there meets at its
+/// other end.
+TEST(LimitGridPlans, AreNotSharedWhereChaikinCreasesMeetOthersFurtherOn) {
+    Cage cage = WithCrease(Sheet(6), {24, 25}, 1.2f, "sheet, Chaikin crease");
+    cage.mesh.creaseRule = CreaseRule::Chaikin;
+    const BuiltCage alone(cage);
+    const LimitGridPlans plans(alone.patches);
+    ExpectPointsOfTheLimitSurface(
+        BuiltCage(WithCrease(cage, {25, 26}, 0.1f, "sheet, Chaikin creases that meet")));
 }
 
 TEST(LimitGridPlans, LeaveWithTheirLastTable) {

@@ -11,12 +11,25 @@ namespace Sdc = OpenSubdiv::Sdc;
 
 namespace {
 
+Sdc::Options::FVarLinearInterpolation ToSdc(FaceVaryingRule rule) {
+    switch (rule) {
+        case FaceVaryingRule::None: return Sdc::Options::FVAR_LINEAR_NONE;
+        case FaceVaryingRule::CornersOnly: return Sdc::Options::FVAR_LINEAR_CORNERS_ONLY;
+        case FaceVaryingRule::CornersPlus1: return Sdc::Options::FVAR_LINEAR_CORNERS_PLUS1;
+        case FaceVaryingRule::CornersPlus2: return Sdc::Options::FVAR_LINEAR_CORNERS_PLUS2;
+        case FaceVaryingRule::Boundaries: return Sdc::Options::FVAR_LINEAR_BOUNDARIES;
+        case FaceVaryingRule::All: break;
+    }
+    return Sdc::Options::FVAR_LINEAR_ALL;
+}
+
 Sdc::Options OptionsOf(const ControlMesh& mesh) {
     Sdc::Options options;
     options.SetVtxBoundaryInterpolation(
         mesh.boundaryRule == BoundaryRule::None       ? Sdc::Options::VTX_BOUNDARY_NONE
         : mesh.boundaryRule == BoundaryRule::EdgeOnly ? Sdc::Options::VTX_BOUNDARY_EDGE_ONLY
                                                       : Sdc::Options::VTX_BOUNDARY_EDGE_AND_CORNER);
+    options.SetFVarLinearInterpolation(ToSdc(mesh.faceVaryingRule));
     options.SetCreasingMethod(mesh.creaseRule == CreaseRule::Chaikin
                                   ? Sdc::Options::CREASE_CHAIKIN
                                   : Sdc::Options::CREASE_UNIFORM);
@@ -26,23 +39,32 @@ Sdc::Options OptionsOf(const ControlMesh& mesh) {
     return options;
 }
 
+Sdc::SchemeType ToSdc(Scheme scheme) {
+    return scheme == Scheme::Loop       ? Sdc::SCHEME_LOOP
+           : scheme == Scheme::Bilinear ? Sdc::SCHEME_BILINEAR
+                                        : Sdc::SCHEME_CATMARK;
+}
+
 }  // namespace
 
-OracleTopology::OracleTopology(ControlMesh mesh, size_t pointCount) {
+OracleTopology::OracleTopology(ControlMesh mesh, size_t pointCount, const ValueTopology& values) {
     ValidateControlMesh(&mesh, pointCount);
-    std::vector<int> counts, indices;
-    const int* face = mesh.faceVertexIndices.data();
+    std::vector<int> counts, indices, valueIndices;
+    size_t first = 0;
     for (int count : mesh.faceVertexCounts) {
-        KeptFace kept{-1, KeptCorners(face, count)};
+        KeptFace kept{-1, KeptCorners(&mesh.faceVertexIndices[first], count)};
         if (!kept.corners.empty()) {
             kept.index = static_cast<int>(counts.size());
             counts.push_back(static_cast<int>(kept.corners.size()));
-            for (int corner : kept.corners) {
-                indices.push_back(face[corner]);
+        }
+        for (int corner : kept.corners) {
+            indices.push_back(mesh.faceVertexIndices[first + corner]);
+            if (!values.indices.empty()) {
+                valueIndices.push_back(values.indices[first + corner]);
             }
         }
         _faces.push_back(kept);
-        face += count;
+        first += count;
     }
     Far::TopologyDescriptor d;
     d.numVertices = static_cast<int>(pointCount);
@@ -55,10 +77,13 @@ OracleTopology::OracleTopology(ControlMesh mesh, size_t pointCount) {
     d.numCorners = static_cast<int>(mesh.cornerIndices.size());
     d.cornerVertexIndices = mesh.cornerIndices.data();
     d.cornerWeights = mesh.cornerSharpnesses.data();
+    Far::TopologyDescriptor::FVarChannel channel;
+    channel.numValues = values.valueCount;
+    channel.valueIndices = valueIndices.data();
+    d.numFVarChannels = valueIndices.empty() ? 0 : 1;
+    d.fvarChannels = &channel;
     using Factory = Far::TopologyRefinerFactory<Far::TopologyDescriptor>;
-    const Sdc::SchemeType scheme =
-        mesh.scheme == Scheme::Loop ? Sdc::SCHEME_LOOP : Sdc::SCHEME_CATMARK;
-    _refiner.reset(Factory::Create(d, Factory::Options(scheme, OptionsOf(mesh))));
+    _refiner.reset(Factory::Create(d, Factory::Options(ToSdc(mesh.scheme), OptionsOf(mesh))));
 }
 
 int OracleTopology::Corner(uint32_t face, uint32_t corner) const {

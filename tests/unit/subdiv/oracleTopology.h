@@ -9,11 +9,20 @@
 
 namespace cc::test {
 
+/// Face-varying values as a mesh's topology knows them.
+struct ValueTopology {
+    int valueCount = 0;
+    /// The value of each authored face-vertex; none if there are no such values.
+    std::vector<int> indices;
+};
+
 /// A mesh as OpenSubdiv is given it: without collapsed edges and faces that have no inside, as
 /// ValidateControlMesh promises.
 class OracleTopology {
   public:
-    OracleTopology(ControlMesh mesh, size_t pointCount);
+    /// @param mesh    Catmull-Clark, Loop or bilinear
+    /// @param values  the refiner's channel 0
+    OracleTopology(ControlMesh mesh, size_t pointCount, const ValueTopology& values = {});
 
     /// Null if OpenSubdiv refuses the mesh.
     OpenSubdiv::Far::TopologyRefiner* Refiner() const { return _refiner.get(); }
