@@ -164,6 +164,32 @@ def test_broken_mesh_is_a_warning_with_its_path(record, scene: Path) -> None:
     assert layers(scene.parent / "out.exr")["color"][20, 30, 3] == 1
 
 
+def test_numbers_of_settings_may_be_written_as_people_do(record, scene: Path) -> None:
+    for text in ("4", "4.0", "4e0"):
+        result = record(scene, "out.png", "-w", "60", "--set", f"hdcc:samples={text}")
+        assert result.returncode == 0, result.stderr
+
+
+def test_settings_prim_of_the_stage_may_be_missing(record, scene: Path) -> None:
+    for path in ("/World/Nothing", "no path"):
+        metadata = f'(\n    renderSettingsPrimPath = "{path}"'
+        scene.write_text(cube().replace("(", metadata, 1))
+        result = record(scene, "out.exr", "-w", "60", *FAST)
+        assert result.returncode == 0, result.stderr
+        # OpenUSD has its own say about what is no path.
+        lines = result.stderr.splitlines()
+        assert all(line.startswith("warning: ") for line in lines)
+        assert path in lines[0]
+
+
+def test_mask_of_what_is_not_there_is_warned_about(record, scene: Path) -> None:
+    result = record(scene, "out.exr", "-w", "60", "--mask", "/World/Cube,/Nothing", *FAST)
+    assert result.returncode == 0, result.stderr
+    (line,) = result.stderr.splitlines()
+    assert line.startswith("warning: ")
+    assert "/Nothing" in line
+
+
 def test_the_same_seed_gives_the_same_bits(record, scene: Path) -> None:
     for name, threads in (("one.exr", 1), ("two.exr", 2)):
         result = record(scene, name, "-w", "60", "--set", f"hdcc:threads={threads}")

@@ -8,6 +8,9 @@ import pytest
 REFUSALS = [
     ([], 2, "SCENE"),
     (["missing.usda", "out.png"], 1, "missing.usda"),
+    (["", "out.png"], 1, "''"),
+    ([f"{'a' * 300}.usda", "out.png"], 1, "no such file"),
+    (["cube.usda", f"{'a' * 300}.png"], 1, "too long"),
     (["cube.usda", "out.png", "--colour", "sRGB"], 2, "--colour"),
     (["cube.usda", "out.png", "--colorCorrectionMode", "srgb"], 2, "srgb"),
     (["cube.usda", "out.png", "--complexity", "huge"], 2, "huge"),
@@ -26,8 +29,14 @@ REFUSALS = [
     (["cube.usda", "out"], 2, "format"),
     (["cube.usda", "nowhere/out.png"], 1, "nowhere"),
     (["cube.usda", "out.png", "--stats", "nowhere/stats.json"], 1, "nowhere"),
+    (["cube.usda", "out.exr", "--stats", "./out.exr"], 2, "./out.exr"),
+    (["cube.usda", "out.exr", "--stats", "cube.usda"], 2, "cube.usda"),
+    (["cube.usda", "out.#.exr", "--frames", "1", "--stats", "out.#.exr"], 2, "out.#.exr"),
     (["cube.usda", "out.png", "--aov", "depth"], 2, "EXR"),
     (["cube.usda", "out.exr", "--aov", "dept"], 2, "dept"),
+    (["cube.usda", "out.exr", "--aov", "primvars:"], 2, "primvars:"),
+    (["cube.usda", "out.exr", "--aov", "primvars:a b"], 2, "'primvars:a b'"),
+    (["cube.usda", "out.exr", "--aov", "primvars:a,b"], 2, "'primvars:a,b'"),
     (["cube.usda", "out.png", "--sessionLayer", "missing.usda"], 1, "missing.usda"),
     (["cube.usda", "out.png", "-rs", "/A", "-rp", "/B"], 2, "--renderPassPrimPath"),
     (["cube.usda", "out.png", "-r", "Storm", "--set", "hdcc:level=4"], 2, "CC"),
@@ -38,6 +47,9 @@ REFUSALS = [
     (["cube.usda", "out.png", "--renderer", "Fancy"], 2, "Fancy"),
     (["cube.usda", "out.png", "-rs", "/World/Cube"], 1, "/World/Cube"),
     (["cube.usda", "out.png", "-rp", "/World/Cube"], 1, "/World/Cube"),
+    (["cube.usda", "out.#.png", "--frames", "1:3x0"], 2, "1:3x0"),
+    (["cube.usda", "out.#.png", "--frames", "1:3x-1"], 2, "1:3x-1"),
+    (["cube.usda", "out.#.png", "--frames", "1:99999999999"], 2, "more than 100000"),
     (["cube.usda", "out.png", "--set", "hdcc:levels=4"], 2, "hdcc:levels"),
     (["cube.usda", "out.png", "--set", "hdcc:level=9"], 2, "hdcc:level"),
     (["cube.usda", "out.png", "--set", "hdcc:level=high"], 2, "high"),
@@ -64,3 +76,30 @@ def test_help_needs_no_set_up(record) -> None:
     assert result.returncode == 0
     assert "--colorCorrectionMode" in result.stdout
     assert result.stderr == ""
+
+
+#: command, arguments, exit code, what the line must name
+OTHER_REFUSALS = [
+    ("test", ["--only", "nothing"], 2, "'nothing'"),
+    ("test", ["slow"], 2, "'slow'"),
+    ("test", ["--fast"], 2, "--fast"),
+    ("setup", ["--fast"], 2, "--fast"),
+]
+
+
+@pytest.mark.parametrize(("command", "arguments", "code", "named"), OTHER_REFUSALS)
+def test_refusal_of_others(run, command: str, arguments: list[str], code: int, named: str) -> None:
+    result = run(command, *arguments)
+    assert result.returncode == code, result.stderr
+    (line,) = result.stderr.splitlines()
+    assert line.startswith("error: ")
+    assert named in line
+
+
+def test_sdk_that_cannot_be_put_where_it_should(run, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("HDCC_SDK_DIR", "/proc/sdk")
+    result = run("setup")
+    assert result.returncode == 1
+    (line,) = result.stderr.splitlines()
+    assert line.startswith("error: ")
+    assert "/proc/sdk" in line

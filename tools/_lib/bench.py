@@ -8,7 +8,7 @@ from typing import Any
 
 from . import bench_scenes, bench_table, pictures
 from .bench_suites import SUITES
-from .console import CommandError, error
+from .console import CommandError, OneLineParser, error
 
 
 def main(arguments: list[str]) -> int:
@@ -31,14 +31,9 @@ def main(arguments: list[str]) -> int:
         return 130
 
 
-class _OneLineParser(argparse.ArgumentParser):
-    def error(self, message: str) -> None:
-        raise CommandError(f"{message} (see {self.prog} --help)", 2)
-
-
 def _parse(arguments: list[str]) -> argparse.Namespace:
     suites = "; ".join(f"{name}: {suite.about}" for name, suite in SUITES.items())
-    parser = _OneLineParser(
+    parser = OneLineParser(
         prog="tools/bench",
         allow_abbrev=False,
         description="Measures the renderer. Nothing is asserted: numbers are for people.",

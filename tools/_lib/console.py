@@ -1,5 +1,6 @@
 """How commands speak to people: one line a message, errors on stderr."""
 
+import argparse
 import sys
 
 
@@ -9,6 +10,13 @@ class CommandError(Exception):
     def __init__(self, message: str, exit_code: int = 1) -> None:
         super().__init__(message)
         self.exit_code = exit_code
+
+
+class OneLineParser(argparse.ArgumentParser):
+    """Says what is wrong with a command line as a CommandError."""
+
+    def error(self, message: str) -> None:
+        raise CommandError(f"{message} (see {self.prog} --help)", 2)
 
 
 def error(message: str) -> None:

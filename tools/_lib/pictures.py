@@ -29,13 +29,23 @@ def check_format(picture: str) -> None:
 
 def check_folder(file: str) -> None:
     """Refuses a file that could not be created for want of its folder or of rights."""
-    folder = Path(file).parent
-    if not folder.is_dir():
+    folder = os.path.dirname(file) or "."
+    if not os.path.isdir(folder):
         raise CommandError(f"{file}: there is no folder {folder}")
     if not os.access(folder, os.W_OK | os.X_OK):
         raise CommandError(f"{file}: the folder {folder} cannot be written to")
-    if Path(file).is_dir():
+    if os.path.isdir(file):
         raise CommandError(f"{file}: is a folder")
+    try:
+        os.lstat(file)
+    except FileNotFoundError:
+        pass
+    except OSError as failure:
+        raise _cannot_write(file, failure) from failure
+
+
+def _cannot_write(file: str, failure: OSError) -> CommandError:
+    return CommandError(f"{file}: cannot be written: {failure.strerror}")
 
 
 def frame_placeholder(name: str) -> str | None:
@@ -67,7 +77,7 @@ class Workshop:
         try:
             self.path = Path(tempfile.mkdtemp(prefix=".hdcc-", dir=folder))
         except OSError as failure:
-            raise CommandError(f"{file}: cannot be written: {failure.strerror}") from failure
+            raise _cannot_write(file, failure) from failure
 
     def __enter__(self) -> "Workshop":
         return self
@@ -81,4 +91,4 @@ def publish(made: Path, file: str) -> None:
     try:
         os.replace(made, file)
     except OSError as failure:
-        raise CommandError(f"{file}: cannot be written: {failure.strerror}") from failure
+        raise _cannot_write(file, failure) from failure

@@ -5,12 +5,12 @@ anything is set up. The result travels to the process that renders as JSON.
 """
 
 import argparse
+import os
 import re
 from dataclasses import asdict, dataclass, field
-from pathlib import Path
 
 from . import pictures
-from .console import CommandError
+from .console import CommandError, OneLineParser
 
 RENDERER = "CC"
 RENDERER_PLUGIN = "HdCCRendererPlugin"
@@ -30,10 +30,10 @@ AOVS = (
     "Neye",
     "primvars:NAME",
 )
-#: Begins the names of AOVs that show a primvar.
-PRIMVAR_AOV = "primvars:"
 MAX_IMAGE_WIDTH = 32768
 
+#: Spaces and commas would separate names of AOVs.
+_PRIMVAR_AOV = re.compile(r"primvars:[^\s,]+")
 _NUMBER = r"-?\d+(?:\.\d*)?"
 _FRAME_SPEC = re.compile(rf"{_NUMBER}(?::{_NUMBER}(?:x{_NUMBER})?)?")
 
@@ -72,11 +72,6 @@ class RecordOptions:
         return asdict(self)
 
 
-class _OneLineParser(argparse.ArgumentParser):
-    def error(self, message: str) -> None:
-        raise CommandError(f"{message} (see {self.prog} --help)", 2)
-
-
 def parse(arguments: list[str]) -> RecordOptions:
     """Parses and checks the command line as far as that needs no OpenUSD."""
     options = _to_options(_make_parser().parse_args(arguments))
@@ -87,7 +82,7 @@ def parse(arguments: list[str]) -> RecordOptions:
 
 
 def _make_parser() -> argparse.ArgumentParser:
-    parser = _OneLineParser(
+    parser = OneLineParser(
         prog="tools/record",
         allow_abbrev=False,
         description="Renders pictures of a USD scene through Hydra, on the CPU, with no display.",
@@ -262,10 +257,15 @@ def _to_options(parsed: argparse.Namespace) -> RecordOptions:
 
 
 def _check_files(options: RecordOptions) -> None:
-    for layer in filter(None, (options.scene, options.session_layer)):
-        if not Path(layer).is_file():
-            raise CommandError(f"{layer}: no such file")
+    layers = [file for file in (options.scene, options.session_layer) if file is not None]
+    for layer in layers:
+        if not os.path.isfile(layer):
+            raise CommandError(f"'{layer}': no such file")
     pictures.check_format(options.picture)
+    if options.stats:
+        others = {os.path.realpath(file) for file in (*layers, options.picture)}
+        if os.path.realpath(options.stats) in others:
+            raise CommandError(f"{options.stats}: --stats would write over this file", 2)
     for file in filter(None, (options.picture, options.stats)):
         pictures.check_folder(file)
         placeholder = pictures.frame_placeholder(file)
@@ -281,8 +281,7 @@ def _check_files(options: RecordOptions) -> None:
 
 def _check_aovs(options: RecordOptions) -> None:
     for name in options.aovs:
-        is_primvar = name.startswith(PRIMVAR_AOV) and name != PRIMVAR_AOV
-        if name not in AOVS and not is_primvar:
+        if name not in AOVS and not _PRIMVAR_AOV.fullmatch(name):
             raise CommandError(f"unknown AOV '{name}' (known: {' '.join(AOVS)})", 2)
     if options.aovs and not pictures.is_layered(options.picture):
         raise CommandError(f"--aov needs an EXR; {options.picture} holds color only", 2)

@@ -1,7 +1,6 @@
 """What --stats writes: the delegate's statistics, with exactly the keys that tools rely on."""
 
 import json
-import resource
 from typing import Any
 
 from . import pictures
@@ -38,11 +37,6 @@ def select(stats: dict[str, Any]) -> dict[str, Any]:
         value = stats[key]
         selected[key] = value if members is None else {name: value[name] for name in members}
     return _plain(selected)
-
-
-def peak_rss() -> int:
-    """The most memory that this process has held, in bytes."""
-    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024
 
 
 def write(stats: dict[str, Any], file: str) -> None:

@@ -2,11 +2,15 @@
 
 import math
 from dataclasses import dataclass
+from itertools import islice
 
 from pxr import Gf, Sdf, Tf, Usd, UsdAppUtils, UsdGeom, UsdRender, UsdUtils
 
 from .console import CommandError, warning
 from .record_options import RecordOptions
+
+#: An hour of film is less.
+_MOST_FRAMES = 100_000
 
 
 def open_stage(options: RecordOptions) -> Usd.Stage:
@@ -20,7 +24,11 @@ def open_stage(options: RecordOptions) -> Usd.Stage:
     mask = Usd.StagePopulationMask()
     for path in options.mask:
         mask.Add(prim_path(path))
-    return Usd.Stage.OpenMasked(root, session, mask)
+    stage = Usd.Stage.OpenMasked(root, session, mask)
+    for path in options.mask:
+        if not stage.GetPrimAtPath(path):
+            warning(f"--mask: there is no prim {path} in {options.scene}")
+    return stage
 
 
 def _open_layer(file: str) -> Sdf.Layer:
@@ -46,11 +54,14 @@ def frames_of(options: RecordOptions, stage: Usd.Stage) -> list[Usd.TimeCode]:
     if options.frames:
         try:
             spec = UsdAppUtils.framesArgs.FrameSpecIterator(options.frames)
-            frames = [Usd.TimeCode(frame) for frame in spec]
+            frames = [Usd.TimeCode(frame) for frame in islice(spec, _MOST_FRAMES + 1)]
         except Tf.ErrorException as failure:
-            raise CommandError(f"--frames {options.frames}: is not a range of frames") from failure
+            reason = "is not a range of frames"
+            raise CommandError(f"--frames {options.frames}: {reason}", 2) from failure
         if not frames:
-            raise CommandError(f"--frames {options.frames}: holds no frame")
+            raise CommandError(f"--frames {options.frames}: holds no frame", 2)
+        if len(frames) > _MOST_FRAMES:
+            raise CommandError(f"--frames {options.frames}: holds more than {_MOST_FRAMES}", 2)
         return frames
     if options.default_time:
         return [Usd.TimeCode.Default()]
@@ -67,7 +78,8 @@ def find_settings_prim(options: RecordOptions, stage: Usd.Stage) -> UsdRender.Se
         path = stage.GetMetadata("renderSettingsPrimPath") or ""
     if not path:
         return None
-    settings = UsdRender.Settings(stage.GetPrimAtPath(prim_path(str(path))))
+    is_path = Sdf.Path.IsValidPathString(path)
+    settings = UsdRender.Settings(stage.GetPrimAtPath(path) if is_path else Usd.Prim())
     if settings:
         return settings
     if not from_metadata:

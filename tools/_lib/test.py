@@ -5,7 +5,7 @@ import sys
 import time
 
 from . import test_fuzz, test_lint, test_programs, test_python
-from .console import CommandError, error
+from .console import CommandError, OneLineParser, error
 from .test_stage import Outcome, Settings, Stage
 
 #: All stages, in the order in which they run. A stage waits for what it needs to have passed.
@@ -44,7 +44,7 @@ def main(arguments: list[str]) -> int:
 
 
 def _parse(arguments: list[str]) -> argparse.Namespace:
-    parser = argparse.ArgumentParser(
+    parser = OneLineParser(
         prog="tools/test",
         allow_abbrev=False,
         description="Runs all tests, set-up and build included. See docs/testing.md.",
