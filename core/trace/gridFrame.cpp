@@ -1,5 +1,6 @@
 #include "core/trace/gridFrame.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -31,16 +32,34 @@ GridFrame::GridFrame(const Vec3f corners[4], int side) : side(side) {
     }
 }
 
-void GridFrame::SetDeviation(int k, float least, float greatest) {
-    const float rounding = margin[k] * extent;
-    lower[k] = least - rounding;
-    upper[k] = greatest + rounding;
+GridBend::Range GridBend::Values(int side) const {
+    const float most = 0.25f * static_cast<float>(side * side), twisted = std::fabs(twist);
+    return {-most * (std::max(columns, 0.0f) + std::max(rows, 0.0f) + twisted),
+            most * (std::max(-columns, 0.0f) + std::max(-rows, 0.0f) + twisted)};
+}
+
+float GridBend::Sagitta() const {
+    return 0.25f * (std::fabs(columns) + std::fabs(rows) + std::fabs(twist));
+}
+
+void GridFrame::SetDeviation(int k, const GridBend& quadratic, float least, float greatest) {
+    const GridBend::Range bent = quadratic.Values(side);
+    const float wide = bent.greatest - bent.least;
+    const float slack = margin[k] * extent + kFrameMargin * wide + quadratic.Sagitta();
+    const float end = k < 2 ? static_cast<float>(side) : 0;
+    bend[k] = quadratic;
+    lower[k] = least - slack;
+    upper[k] = greatest + slack;
+    boxLower[k] = lower[k] + bent.least;
+    boxUpper[k] = upper[k] + bent.greatest + end;
+    _quadsOfBends += wide * (k < 2 ? 1 : std::sqrt(Length(axes[0]) * Length(axes[1])));
     // Without a plane, or with points that are not numbers, every ray may meet every quad.
-    if (!(margin[k] > 0 && std::isfinite(lower[k]) && std::isfinite(upper[k]))) {
+    if (!(margin[k] > 0 && std::isfinite(boxLower[k]) && std::isfinite(boxUpper[k]))) {
         axes[k] = {};
+        bend[k] = {};
         margin[k] = 0;
-        lower[k] = -std::numeric_limits<float>::max();
-        upper[k] = std::numeric_limits<float>::max();
+        lower[k] = boxLower[k] = -std::numeric_limits<float>::max();
+        upper[k] = boxUpper[k] = std::numeric_limits<float>::max();
     }
 }
 
@@ -49,6 +68,8 @@ void GridFrame::Widen(float distance) {
         const float by = distance / kFrameMargin * margin[k];
         lower[k] -= by;
         upper[k] += by;
+        boxLower[k] -= by;
+        boxUpper[k] += by;
     }
 }
 

@@ -92,7 +92,7 @@ int CountQuads(const GridFrame& frame, const AimedRays& aimed, float* count) {
 TEST(GridFrame, RaysFindTheQuadsTheyHit) {
     std::mt19937 random(3);
     for (const float bend : {0.0f, 0.03f, 0.3f, 2.0f}) {
-        float byControlPoints = 0, byPoints = 0;
+        float byControlPoints = 0, byPoints = 0;  // how many quads they find
         for (int n = 0; n < 200; ++n) {
             const BezierRows patch = RandomPatch(bend, {100.0f * (n % 3), -7, 3}, &random);
             const LimitGrid grid = EvaluateAll(patch);
@@ -109,6 +109,36 @@ TEST(GridFrame, RaysFindTheQuadsTheyHit) {
         if (bend < 0.1f) {
             EXPECT_LT(byControlPoints / (16 * 200), 16) << bend;
         }
+    }
+}
+
+/// A patch that is an arch across its rows: heights are a parabola, and columns are stretched in
+/// the middle by a cubic.
+BezierRows Arch(float height, float stretch) {
+    BezierPatch patch;
+    for (int row = 0; row < 4; ++row) {
+        for (int column = 0; column < 4; ++column) {
+            const float inner = column % 3 == 0 ? 0.0f : 1.0f;
+            const float off = column == 1 ? stretch : column == 2 ? -stretch : 0;
+            patch.points[row][column] = {static_cast<float>(column) + off, static_cast<float>(row),
+                                         height * inner};
+        }
+    }
+    return BezierRows(patch);
+}
+
+TEST(GridFrame, RaysKnowBends) {
+    std::mt19937 random(6);
+    // A ray through an arch meets it twice at most, in few quads.
+    for (const BezierRows& patch : {Arch(2, 0), Arch(-2, 0), Arch(1.5f, 0.3f), Arch(0, 0.4f)}) {
+        float count = 0;
+        for (int n = 0; n < 200; ++n) {
+            const LimitGrid grid = EvaluateAll(patch);
+            GridFrame frame = FrameOf(grid);
+            simd::MeasureDeviation(patch, &frame);
+            EXPECT_EQ(CountQuads(frame, AimedRays(grid, &random), &count), 0);
+        }
+        EXPECT_LT(count / (16 * 200), 40);
     }
 }
 
