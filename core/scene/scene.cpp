@@ -181,8 +181,7 @@ Scene::Statistics Scene::GetStatistics() const {
         statistics.tessellationBytes += mesh->BuiltSurface()->TessellationBytes();
     }
     statistics.bytes += LimitGridPlans::SharedBytes();
-    statistics.bytes += _instances.Instances().capacity() * sizeof(Instance) +
-                        _instances.TopLevel().Bytes() +
+    statistics.bytes += _instances.Instances().capacity() * sizeof(Instance) + _instances.Bytes() +
                         _instanceMeshes.capacity() * sizeof(const Mesh*);
     return statistics;
 }

@@ -16,17 +16,21 @@ template <int kVectors, bool kAnyHit>
 void TraceAlgorithm1(const InstanceBvh& instances, int level, ObjectRays* worldRays,
                      const RayPacket& world, HitPacket* hits, TextureHits* texture,
                      TraceStatistics* statistics) {
-    TraceInstances<TupleRays>(instances, world, worldRays, statistics,
-                              [&](const Surface& surface, uint32_t instance, TupleRays* rays) {
-                                  Algorithm1<kVectors, kAnyHit> algorithm(
-                                      surface, instance, level, rays, hits, texture, statistics);
-                                  TraverseBvh(surface.PatchBvh(), rays, statistics,
-                                              [&](uint32_t patch, uint64_t hitting, const Box3f&) {
-                                                  algorithm.Intersect(patch, FirstOf(hitting));
-                                                  return !algorithm.IsDone();
-                                              });
-                                  return !algorithm.IsDone();
-                              });
+    TraceParts<ChildOrder::NearestFirst, TupleRays>(
+        instances, world, worldRays, statistics,
+        [&](uint32_t instance, TupleRays* rays, const TraversalStart& start) {
+            const Surface& surface = *instances.Instances()[instance].surface;
+            Algorithm1<kVectors, kAnyHit> algorithm(surface, instance, level, rays, hits, texture,
+                                                    statistics);
+            TraverseBvh<ChildOrder::NearestFirst>(
+                surface.PatchBvh(), start, rays, statistics,
+                [&](uint32_t patch, uint64_t hitting, const Box3f&) {
+                    algorithm.Intersect(patch, FirstOf(hitting));
+                    return !algorithm.IsDone();
+                },
+                [](uint32_t) {});
+            return !algorithm.IsDone();
+        });
 }
 
 void IntersectTuples(const InstanceBvh& instances, int level, ObjectRays* worldRays,

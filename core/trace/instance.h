@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "core/bvh/bvh.h"
@@ -17,19 +19,42 @@ struct Instance {
     bool isInPlace = false;
 };
 
-/// The top level: instances and a BVH over their world bounds. What a tracer traces.
+/// What lies below a node, or below one child of it, of the hierarchy of an instance's surface.
+struct InstancePart {
+    uint32_t instance;
+    uint32_t node;  ///< of the surface's PatchBvh
+    int slot;       ///< of the child, or kWhole
+
+    static constexpr int kWhole = -1;
+};
+
+/// The top level: a BVH over the world bounds of parts of instances. What a tracer traces.
+///
+/// Large instances are opened: their nodes stand in the top level by themselves, so that rays meet
+/// what is near first, even where instances overlap (Benthin, Woop, Wald, Afra 2017: partial
+/// re-braiding).
 class InstanceBvh {
   public:
     InstanceBvh() = default;
     explicit InstanceBvh(std::vector<Instance> instances);
 
     const std::vector<Instance>& Instances() const { return _instances; }
+    /// Its primitives are instances.
     const Bvh& TopLevel() const { return _bvh; }
+    /// Each patch of each instance is in one of them.
+    const std::vector<InstancePart>& Parts() const { return _parts; }
+    /// Its primitives are parts.
+    const Bvh& PartBvh() const { return _partBvh; }
+    size_t Bytes() const {
+        return _bvh.Bytes() + _partBvh.Bytes() + _parts.capacity() * sizeof(InstancePart);
+    }
     Box3f Bounds() const { return _bvh.Bounds(); }
 
   private:
     std::vector<Instance> _instances;
     Bvh _bvh;
+    std::vector<InstancePart> _parts;
+    Bvh _partBvh;
 };
 
 }  // namespace cc

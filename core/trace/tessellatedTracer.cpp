@@ -109,18 +109,18 @@ class BlockIntersector {
 template <bool kAnyHit>
 void TraceTessellations(const InstanceBvh& instances, int level, ObjectRays* worldRays,
                         const RayPacket& world, HitPacket* hits, TraceStatistics* statistics) {
-    TraceInstances<PacketRays>(instances, world, worldRays, statistics,
-                               [&](const Surface& surface, uint32_t instance, PacketRays* rays) {
-                                   const Tessellation& tessellation = surface.TessellationAt(level);
-                                   BlockIntersector<kAnyHit> intersector(tessellation, instance,
-                                                                         rays, hits, statistics);
-                                   TraverseBvh(tessellation.BlockBvh(), rays, statistics,
-                                               [&](uint32_t block, uint64_t hitting, const Box3f&) {
-                                                   intersector.Intersect(block, FirstOf(hitting));
-                                                   return !intersector.IsDone();
-                                               });
-                                   return !intersector.IsDone();
-                               });
+    TraceInstances<PacketRays>(
+        instances, world, worldRays, statistics, [&](uint32_t instance, PacketRays* rays) {
+            const Surface& surface = *instances.Instances()[instance].surface;
+            const Tessellation& tessellation = surface.TessellationAt(level);
+            BlockIntersector<kAnyHit> intersector(tessellation, instance, rays, hits, statistics);
+            TraverseBvh(tessellation.BlockBvh(), rays, statistics,
+                        [&](uint32_t block, uint64_t hitting, const Box3f&) {
+                            intersector.Intersect(block, FirstOf(hitting));
+                            return !intersector.IsDone();
+                        });
+            return !intersector.IsDone();
+        });
 }
 
 void IntersectTessellations(const InstanceBvh& instances, int level, ObjectRays* worldRays,

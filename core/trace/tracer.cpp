@@ -20,19 +20,21 @@ template <class Rays, bool kAnyHit>
 void TracePatches(const InstanceBvh& instances, int level, const RayPacket& world,
                   ObjectRays* worldRays, HitPacket* hits, SharedGrids* grids,
                   TraceStatistics* statistics) {
-    TraceInstances<Rays>(instances, world, worldRays, statistics,
-                         [&](const Surface& surface, uint32_t instance, Rays* rays) {
-                             PatchIntersector<Rays, kAnyHit> intersector(
-                                 surface, instance, level, rays, hits, grids, statistics);
-                             TraverseBvh<kAnyHit ? ChildOrder::Any : ChildOrder::NearestFirst>(
-                                 surface.PatchBvh(), rays, statistics,
-                                 [&](uint32_t patch, uint64_t hitting, const Box3f& box) {
-                                     intersector.Intersect(patch, hitting, box);
-                                     return !intersector.IsDone();
-                                 },
-                                 [&](uint32_t patch) { surface.Patches().Prefetch(patch); });
-                             return !intersector.IsDone();
-                         });
+    constexpr ChildOrder kOrder = kAnyHit ? ChildOrder::Any : ChildOrder::NearestFirst;
+    TraceParts<kOrder, Rays>(instances, world, worldRays, statistics,
+                             [&](uint32_t instance, Rays* rays, const TraversalStart& start) {
+                                 const Surface& surface = *instances.Instances()[instance].surface;
+                                 PatchIntersector<Rays, kAnyHit> intersector(
+                                     surface, instance, level, rays, hits, grids, statistics);
+                                 TraverseBvh<kOrder>(
+                                     surface.PatchBvh(), start, rays, statistics,
+                                     [&](uint32_t patch, uint64_t hitting, const Box3f& box) {
+                                         intersector.Intersect(patch, hitting, box);
+                                         return !intersector.IsDone();
+                                     },
+                                     [&](uint32_t patch) { surface.Patches().Prefetch(patch); });
+                                 return !intersector.IsDone();
+                             });
 }
 
 void IntersectPacket(const InstanceBvh& instances, int level, ObjectRays* worldRays,

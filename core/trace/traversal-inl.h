@@ -179,20 +179,29 @@ inline uint64_t RaysThatReach(const ObjectRays& rays, uint64_t among, float dist
     return reaching;
 }
 
+/// Where a walk through a BVH begins: with a child of a node.
+struct TraversalStart {
+    uint32_t child;    ///< as in BvhNode
+    uint64_t hitting;  ///< a bit for each ray that hits its box
+    Box3f box;         ///< of a primitive
+};
+
 /// Walks a BVH depth first and calls leaf(primitive, hitting, box) for every
 /// primitive whose box a ray hits; hitting has a bit for each ray that does. The walk ends when
 /// leaf returns false.
 /// @param prefetch  called with primitives that leaf is likely to be called with
 template <ChildOrder kOrder, class Rays, class Leaf, class Prefetch>
-HWY_INLINE void TraverseBvh(const Bvh& bvh, Rays* rays, TraceStatistics* statistics,
-                            const Leaf& leaf, const Prefetch& prefetch) {
-    if (bvh.IsEmpty()) {
+HWY_INLINE void TraverseBvh(const Bvh& bvh, const TraversalStart& start, Rays* rays,
+                            TraceStatistics* statistics, const Leaf& leaf,
+                            const Prefetch& prefetch) {
+    if ((start.child & kBvhLeaf) != 0) {
+        leaf(start.child & ~kBvhLeaf, start.hitting, start.box);
         return;
     }
     const typename Rays::Tag d;
     TraversalStack<kOrder> stack;
     ++statistics->traversals;
-    PushChildren(bvh.Nodes()[0], *rays, AllRays(rays->rays), &stack, prefetch);
+    PushChildren(bvh.Nodes()[start.child], *rays, start.hitting, &stack, prefetch);
     while (!stack.IsEmpty()) {
         const typename TraversalStack<kOrder>::Entry entry = stack.Pop();
         const Box3f box = entry.Box();
@@ -214,11 +223,14 @@ HWY_INLINE void TraverseBvh(const Bvh& bvh, Rays* rays, TraceStatistics* statist
     }
 }
 
-/// The same, nearest child first and without prefetching.
-template <class Rays, class Leaf>
+/// The same from the root on, without prefetching.
+template <ChildOrder kOrder = ChildOrder::NearestFirst, class Rays, class Leaf>
 HWY_INLINE void TraverseBvh(const Bvh& bvh, Rays* rays, TraceStatistics* statistics,
                             const Leaf& leaf) {
-    TraverseBvh<ChildOrder::NearestFirst>(bvh, rays, statistics, leaf, [](uint32_t) {});
+    if (!bvh.IsEmpty()) {
+        TraverseBvh<kOrder>(bvh, {0, AllRays(rays->rays), {}}, rays, statistics, leaf,
+                            [](uint32_t) {});
+    }
 }
 
 }  // namespace HWY_NAMESPACE

@@ -130,7 +130,7 @@ class Bench {
     Answer Memory() const {
         _RequireScene();
         const cc::Scene::Statistics statistics = _built->Scene().GetStatistics();
-        size_t patches = 0, points = 0, bvh = _built->Scene().Instances().TopLevel().Bytes();
+        size_t patches = 0, points = 0, bvh = _built->Scene().Instances().Bytes();
         for (const cc::Instance& instance : _built->Scene().Instances().Instances()) {
             patches += instance.surface->Patches().Bytes();
             points += instance.surface->PatchPoints().capacity() * sizeof(cc::Vec3f);

@@ -85,6 +85,7 @@ class Fingerprint {
     }
     void AddScene(const Scene& scene) {
         AddBvh(scene.Instances().TopLevel());
+        AddBvh(scene.Instances().PartBvh());
         for (const Instance& instance : scene.Instances().Instances()) {
             AddSurface(*instance.surface);
         }
