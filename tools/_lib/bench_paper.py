@@ -51,7 +51,7 @@ SECONDS = {
     "table3": {"Killerroo": (4.48, 21.43), "Forest": (9.40, 30.54), "Disney": (13.35, 174.56)},
     "table5": {"Killerroo": (7.70, 38.08), "Forest": (21.28, 66.99), "Disney": (33.88, 268.02)},
 }
-#: Table 4: frames a second by level, 512x512, two point lights, 8 cores; and Razor's on the same.
+#: Table 4: frames a second by level, 512x512, two point lights, 8 cores.
 TABLE4 = {1: 13.81, 2: 8.69, 3: 4.29, 4: 2.23}
 #: Table 7: frames a second by level on the Killerroo, tessellated and direct.
 TABLE7 = {1: (10.4, 9.87), 2: (6.15, 4.99), 3: (3.17, 2.19), 4: (1.75, 1.04)}
