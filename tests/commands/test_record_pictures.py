@@ -182,6 +182,24 @@ def test_settings_prim_of_the_stage_may_be_missing(record, scene: Path) -> None:
         assert path in lines[0]
 
 
+@pytest.mark.parametrize("resolution", ["0, 30", "40, -1", "40, 100000", "2147483647, 1"])
+def test_resolution_without_meaning_is_refused(record, scene: Path, resolution: str) -> None:
+    scene.write_text(cube().replace("resolution = (40, 30)", f"resolution = ({resolution})"))
+    result = record(scene, "out.exr", "-rs", "/World/Settings", *FAST)
+    assert result.returncode == 1
+    (line,) = result.stderr.splitlines()
+    assert line.startswith("error: /World/Settings: its resolution")
+    assert not (scene.parent / "out.exr").exists()
+
+
+def test_camera_without_shape_is_refused(record, scene: Path) -> None:
+    scene.write_text(cube().replace("horizontalAperture = 24", "horizontalAperture = 0.01"))
+    result = record(scene, "out.exr", "--camera", "Square", *FAST)
+    assert result.returncode == 1
+    (line,) = result.stderr.splitlines()
+    assert line.startswith("error: /World/Square: its aspect ratio")
+
+
 def test_mask_of_what_is_not_there_is_warned_about(record, scene: Path) -> None:
     result = record(scene, "out.exr", "-w", "60", "--mask", "/World/Cube,/Nothing", *FAST)
     assert result.returncode == 0, result.stderr

@@ -30,7 +30,7 @@ AOVS = (
     "Neye",
     "primvars:NAME",
 )
-MAX_IMAGE_WIDTH = 32768
+MAX_IMAGE_SIZE = 32768
 
 #: Spaces and commas would separate names of AOVs.
 _PRIMVAR_AOV = re.compile(r"primvars:[^\s,]+")
@@ -315,8 +315,8 @@ def _purposes(text: str) -> list[str]:
 
 
 def _width(text: str) -> int:
-    if not text.isdecimal() or not 1 <= int(text) <= MAX_IMAGE_WIDTH:
-        raise argparse.ArgumentTypeError(f"'{text}' is not a number from 1 to {MAX_IMAGE_WIDTH}")
+    if not text.isdecimal() or not 1 <= int(text) <= MAX_IMAGE_SIZE:
+        raise argparse.ArgumentTypeError(f"'{text}' is not a number from 1 to {MAX_IMAGE_SIZE}")
     return int(text)
 
 

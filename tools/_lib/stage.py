@@ -7,7 +7,7 @@ from itertools import islice
 from pxr import Gf, Sdf, Tf, Usd, UsdAppUtils, UsdGeom, UsdRender, UsdUtils
 
 from .console import CommandError, warning
-from .record_options import RecordOptions
+from .record_options import MAX_IMAGE_SIZE, RecordOptions
 
 #: An hour of film is less.
 _MOST_FRAMES = 100_000
@@ -149,13 +149,24 @@ def view_at(
     resolution = settings.GetResolutionAttr() if settings else None
     if options.image_width is None and resolution and resolution.HasAuthoredValue():
         width, height = resolution.Get(time)
-        return View(seen, path, max(width, 1), max(height, 1))
+        _check_size(width, height, f"{settings.GetPath()}: its resolution")
+        return View(seen, path, width, height)
     width = options.image_width or 960
     aspect = seen.aspectRatio
     if not aspect > 1e-4:
         aspect = 1.0
     # Rounded, as 16:9 in floats is a little more than it should be.
-    return View(seen, path, width, max(round(width / aspect), 1))
+    height = max(round(width / aspect), 1)
+    _check_size(width, height, f"{path}: its aspect ratio {aspect:g}")
+    return View(seen, path, width, height)
+
+
+def _check_size(width: int, height: int, source: str) -> None:
+    if not (1 <= width <= MAX_IMAGE_SIZE and 1 <= height <= MAX_IMAGE_SIZE):
+        raise CommandError(
+            f"{source} makes a picture of {width} x {height} pixels; "
+            f"either way 1 to {MAX_IMAGE_SIZE} are allowed"
+        )
 
 
 def camera_on_stage(stage: Usd.Stage, time: Usd.TimeCode, purposes: list[str]) -> Gf.Camera:
