@@ -42,6 +42,10 @@ void HdCCRenderPass::_Execute(HdRenderPassStateSharedPtr const &state,
 
     _AskForPrimvars(*state);
     _Picture picture = _Describe(state, renderTags);
+    if (state->GetCamera() && state->GetCamera()->GetFStop() > 0) {
+        _param->WarnOnce(picture.cameraId,
+                         "depth of field is not supported yet; everything is in focus");
+    }
     if (_converged && picture == _picture) {
         return;
     }
