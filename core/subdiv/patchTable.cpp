@@ -67,6 +67,20 @@ std::vector<Vec3f> PatchTable::PatchPoints(const std::vector<Vec3f>& cageValues)
     return points;
 }
 
+std::array<double, 3> PatchTable::ExactPoint(const Vec3f* points, uint32_t index) const {
+    if (!_IsExtrapolated(index)) {
+        const Vec3f& p = points[index];
+        return {p.x, p.y, p.z};
+    }
+    const uint32_t end = _stencilEnds[index - _cagePointCount] & ~kExtrapolated;
+    std::array<double, 3> a = ExactPoint(points, _stencilIndices[end - 2]);
+    const std::array<double, 3> b = ExactPoint(points, _stencilIndices[end - 1]);
+    for (int axis = 0; axis < 3; ++axis) {
+        a[axis] = 2 * a[axis] - b[axis];
+    }
+    return a;
+}
+
 FaceParameter PatchTable::ToFace(uint32_t patch, float u, float v) const {
     const Patch& p = _patches[patch];
     if (IsTriangle(patch)) {
@@ -109,6 +123,9 @@ uint32_t PatchTable::AddExtrapolatedPoint(uint32_t a, uint32_t b) {
 void PatchTable::AddPatch(Patch patch, const uint32_t* indices, int count) {
     patch.firstIndex = static_cast<uint32_t>(_indices.size());
     _indices.insert(_indices.end(), indices, indices + count);
+    patch.isExtrapolated =
+        patch.kind == PatchKind::Regular &&
+        std::any_of(indices, indices + count, [&](uint32_t i) { return _IsExtrapolated(i); });
     _patches.push_back(patch);
     _maxDepth = std::max(_maxDepth, static_cast<int>(patch.depth));
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -45,6 +46,7 @@ struct Patch {
     PatchKind kind : 4;
     uint8_t rotation : 2;   ///< corner of the cell that (0,0) of the patch lies at
     uint8_t isSubQuad : 1;  ///< the authored face is not a quad: cells count from its sub-quads
+    uint8_t isExtrapolated : 1;  ///< points of a regular patch are 2a - b, beyond a boundary
 };
 
 /// A vertex with the faces and tags that shape one side of it (RingTags), shared by the irregular
@@ -122,6 +124,12 @@ class PatchTable {
     /// The values of all patch points, given those of the cage's (CagePointCount of them).
     std::vector<Vec3f> PatchPoints(const std::vector<Vec3f>& cageValues) const;
 
+    /// A patch point without rounding: points that are extrapolated are rounded, and differently on
+    /// either side of a crease. Exact if coordinates are on a lattice of a few bits less than a
+    /// double has.
+    /// @param points  as PatchPoints returns them
+    std::array<double, 3> ExactPoint(const Vec3f* points, uint32_t index) const;
+
     FaceParameter ToFace(uint32_t patch, float u, float v) const;
 
     /// Memory held, in bytes.
@@ -152,6 +160,11 @@ class PatchTable {
 
   private:
     static constexpr uint32_t kExtrapolated = 0x80000000u;
+
+    bool _IsExtrapolated(uint32_t index) const {
+        return index >= _cagePointCount &&
+               (_stencilEnds[index - _cagePointCount] & kExtrapolated) != 0;
+    }
 
     void _SetTriangle(uint32_t* indices, const std::vector<uint32_t>& points,
                       const PolygonTriangle& triangle);

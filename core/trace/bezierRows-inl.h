@@ -6,9 +6,12 @@
 #define CC_TRACE_BEZIER_ROWS_INL_H
 #endif
 
+#include <array>
+
 #include <hwy/highway.h>
 
 #include "core/math/box.h"
+#include "core/subdiv/patchTable.h"
 #include "core/trace/bezierRows.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -47,21 +50,22 @@ struct BezierConversion {
 };
 inline constexpr BezierConversion kBezierConversion;
 
-/// Gathers the Bezier form of a regular patch. Whole multiples of points on a lattice (Surface) add
-/// up without rounding, so that patches that share an edge round the same sums once.
-/// @param points  of the patch table, indices 16 of them
-HWY_INLINE void GatherRegular(const Vec3f* points, const uint32_t* indices, BezierRows* patch) {
+/// Makes the Bezier form of a bicubic B-spline. Whole multiples of points on a lattice (Surface)
+/// add up without rounding, so that patches that share an edge round the same sums once.
+/// @param point  returns the coordinates of point 0..15
+template <class Point>
+HWY_INLINE void ConvertBSpline(const Point& point, BezierRows* patch) {
     const hn::CappedTag<double, 8> d;
     const hn::Rebind<float, decltype(d)> df;
     alignas(64) float bezier[4][16] = {};
     for (size_t lane = 0; lane < 16; lane += hn::Lanes(d)) {
         auto x = hn::Zero(d), y = x, z = x;
         for (int i = 0; i < 16; ++i) {
-            const Vec3f& p = points[indices[i]];
+            const auto& p = point(i);
             const auto weight = hn::Load(d, kBezierConversion.weights[i] + lane);
-            x = hn::MulAdd(weight, hn::Set(d, static_cast<double>(p.x)), x);
-            y = hn::MulAdd(weight, hn::Set(d, static_cast<double>(p.y)), y);
-            z = hn::MulAdd(weight, hn::Set(d, static_cast<double>(p.z)), z);
+            x = hn::MulAdd(weight, hn::Set(d, static_cast<double>(p[0])), x);
+            y = hn::MulAdd(weight, hn::Set(d, static_cast<double>(p[1])), y);
+            z = hn::MulAdd(weight, hn::Set(d, static_cast<double>(p[2])), z);
         }
         const auto scale = hn::Set(d, 1 / 36.0);
         hn::Store(hn::DemoteTo(df, hn::Mul(x, scale)), df, bezier[0] + lane);
@@ -75,6 +79,23 @@ HWY_INLINE void GatherRegular(const Vec3f* points, const uint32_t* indices, Bezi
                       patch->rows[row] + lane);
         }
     }
+}
+
+/// Gathers the Bezier form of a regular patch: to the bit the same on both sides of an edge between
+/// two of them, be it a crease.
+/// @param points  of the patch table
+HWY_INLINE void GatherRegular(const PatchTable& patches, uint32_t patch, const Vec3f* points,
+                              BezierRows* bezier) {
+    const uint32_t* const indices = patches.Indices(patch);
+    if (!patches.At(patch).isExtrapolated) {
+        ConvertBSpline([&](int i) -> const Vec3f& { return points[indices[i]]; }, bezier);
+        return;
+    }
+    std::array<double, 3> exact[16];
+    for (int i = 0; i < 16; ++i) {
+        exact[i] = patches.ExactPoint(points, indices[i]);
+    }
+    ConvertBSpline([&](int i) -> const std::array<double, 3>& { return exact[i]; }, bezier);
 }
 
 using RowTag = hn::CappedTag<float, 16>;

@@ -134,13 +134,13 @@ class PatchIntersector {
             if (splits <= kMaxGridSplits) {
                 EvaluatedGrid& grid = _GridAt(whole);
                 if (!_Holds(grid, whole)) {
-                    _GatherBezier(p.kind, &grid.bezier);
+                    _GatherBezier(p, &grid.bezier);
                     _BeginBezier({whole, false}, splits, &grid);
                 }
                 _IntersectGrid(&grid, hitting);
             } else {
                 BezierRows bezier;
-                _GatherBezier(p.kind, &bezier);
+                _GatherBezier(p, &bezier);
                 _IntersectBezier(bezier, whole, splits, firstRay);
             }
             return;
@@ -154,7 +154,10 @@ class PatchIntersector {
                 _BeginWhole(whole, &grid);
             }
             _IntersectGrid(&grid, hitting);
-        } else if (p.kind == PatchKind::Extraordinary) {
+            return;
+        }
+        _tolerance *= 2;  // every step rounds
+        if (p.kind == PatchKind::Extraordinary) {
             ExtraordinaryPatch::Points points;
             _GatherExtraordinary(patches, &points);
             _IntersectExtraordinary(ExtraordinaryPatch(points.data(), p.valence), 0, whole, splits,
@@ -165,10 +168,10 @@ class PatchIntersector {
         }
     }
 
-    void _GatherBezier(PatchKind kind, BezierRows* bezier) const {
-        const Vec3f* points = _surface.PatchPoints().data();
-        if (kind == PatchKind::Regular) {
-            GatherRegular(points, _surface.Patches().Indices(_patch), bezier);
+    void _GatherBezier(const Patch& patch, BezierRows* bezier) const {
+        const Vec3f* const points = _surface.PatchPoints().data();
+        if (patch.kind == PatchKind::Regular) {
+            GatherRegular(_surface.Patches(), _patch, points, bezier);
         } else {
             *bezier = BezierRows(GatherBezier(_surface.Patches(), _patch, points));
         }
@@ -323,7 +326,10 @@ class PatchIntersector {
         _IntersectGrid(&_ownGrid, _From(firstRay));
     }
 
-    Box3f _Widened(const Box3f& box) const { return Widened(box, _tolerance); }
+    /// Room for points that round out of the hull they are computed from.
+    static Box3f _Widened(const Box3f& box) {
+        return Widened(box, RoundingTolerance(&box.lower, 2));
+    }
 
     int _FirstRay(const Box3f& box, int firstRay) const {
         return FirstRayIn(_rays, box, firstRay, &_statistics);

@@ -159,25 +159,42 @@ class QuadWindow {
     HWY_NOINLINE void _KeepNearest(size_t firstLane, const Corner c[4], const V edges[kEdgeCount],
                                    V slack, uint32_t lower, uint32_t upper, GridHit* best) const {
         const Tag d;
-        alignas(64) float functions[kEdgeCount][kQuads], depths[4][kQuads], slacks[kQuads];
+        alignas(64) float functions[kEdgeCount][kQuads], slacks[kQuads];
+        alignas(64) float depths[4][kQuads], x[4][kQuads], y[4][kQuads];
         for (int e = 0; e < kEdgeCount; ++e) {
             hn::Store(edges[e], d, functions[e]);
         }
         for (int i = 0; i < 4; ++i) {
             hn::Store(c[i].z, d, depths[i]);
+            if (_tolerance > 0) {
+                hn::Store(c[i].shearedX, d, x[i]);
+                hn::Store(c[i].shearedY, d, y[i]);
+            }
         }
         hn::Store(slack, d, slacks);
         for (uint32_t rest = lower; rest != 0; rest &= rest - 1) {
             const int i = __builtin_ctz(rest);
             float weights[3] = {functions[k12][i], functions[k20][i], functions[k01][i]};
             const float at[3] = {depths[0][i], depths[1][i], depths[2][i]};
-            _Keep(firstLane + i, false, weights, at, slacks[i], best);
+            if (_tolerance > 0) {
+                const Outline outline{{x[0][i], x[1][i], x[2][i]}, {y[0][i], y[1][i], y[2][i]}};
+                if (!_BringInside(outline, slacks[i], weights)) {
+                    continue;
+                }
+            }
+            _Keep(firstLane + i, false, weights, at, best);
         }
         for (uint32_t rest = upper; rest != 0; rest &= rest - 1) {
             const int i = __builtin_ctz(rest);
             float weights[3] = {functions[k23][i], functions[k30][i], -functions[k20][i]};
             const float at[3] = {depths[0][i], depths[2][i], depths[3][i]};
-            _Keep(firstLane + i, true, weights, at, slacks[i], best);
+            if (_tolerance > 0) {
+                const Outline outline{{x[0][i], x[2][i], x[3][i]}, {y[0][i], y[2][i], y[3][i]}};
+                if (!_BringInside(outline, slacks[i], weights)) {
+                    continue;
+                }
+            }
+            _Keep(firstLane + i, true, weights, at, best);
         }
     }
 
@@ -185,11 +202,8 @@ class QuadWindow {
     /// @param weights  the edge functions opposite to its corners: barycentric weights, times an
     ///                 area
     /// @param depths   of its corners along the ray's last axis
-    HWY_INLINE void _Keep(size_t quad, bool isUpper, float weights[3], const float depths[3],
-                          float slack, GridHit* best) const {
-        if (slack > 0 && !_BringInside(weights, slack)) {
-            return;
-        }
+    HWY_INLINE void _Keep(size_t quad, bool isUpper, const float weights[3], const float depths[3],
+                          GridHit* best) const {
         const float inverse = 1 / (weights[0] + weights[1] + weights[2]);
         const float height =
             weights[0] * depths[0] + weights[1] * depths[1] + weights[2] * depths[2];
@@ -210,17 +224,46 @@ class QuadWindow {
         best->triangle = triangle;
     }
 
-    /// Moves a hit that is outside by no more than the slack into the triangle. Returns false for a
-    /// triangle thinner than the slack, which has no plane worth the name; its neighbours have the
-    /// ray.
-    static bool _BringInside(float weights[3], float slack) {
+    /// A triangle as it is seen along the ray, which is at the origin.
+    struct Outline {
+        float x[3], y[3];
+    };
+
+    /// Moves a hit that is outside by no more than the slack into the triangle. Returns false if
+    /// the triangle is not there after all.
+    bool _BringInside(const Outline& outline, float slack, float weights[3]) const {
         const float sign = weights[0] + weights[1] + weights[2] < 0 ? -1.0f : 1.0f;
         float most = 0;
         for (int i = 0; i < 3; ++i) {
             most = std::max(most, std::fabs(weights[i]));
             weights[i] = std::max(weights[i] * sign, 0.0f);
         }
-        return most > slack;
+        return most > slack || _BringToOutline(outline, weights);
+    }
+
+    /// A triangle thinner than the slack says nothing by its edge functions, which are small far
+    /// along its edges too: a ray hits it where its outline is no further than points may be off.
+    bool _BringToOutline(const Outline& outline, float weights[3]) const {
+        const float reach = 4 * _tolerance;
+        float nearest = reach * reach;
+        bool isFound = false;
+        for (int a = 0; a < 3; ++a) {
+            const int b = (a + 1) % 3;
+            const float x = outline.x[b] - outline.x[a], y = outline.y[b] - outline.y[a];
+            const float square = x * x + y * y;
+            const float along = -(outline.x[a] * x + outline.y[a] * y);
+            const float part = square > 0 ? _Clamp(along / square) : 0;
+            const float offX = outline.x[a] + part * x, offY = outline.y[a] + part * y;
+            const float off = offX * offX + offY * offY;
+            if (off <= nearest) {
+                nearest = off;
+                isFound = true;
+                weights[a] = 1 - part;
+                weights[b] = part;
+                weights[3 - a - b] = 0;
+            }
+        }
+        return isFound;
     }
 
     static float _Clamp(float x) { return x > 0 ? (x < 1 ? x : 1) : 0; }
