@@ -157,6 +157,8 @@ def test_a_page_without_markers_is_refused(tmp_path: Path, monkeypatch) -> None:
         (["table2", "--threads", "0"], "0"),
         (["table2", "--scene", "missing.usda"], "missing.usda"),
         (["table2", "--json", "nowhere/rows.json"], "nowhere"),
+        (["watertight", "--scene", "creature"], "--scene"),
+        (["watertight", "--rays", "0"], "0"),
     ],
 )
 def test_refusals(run, arguments: list[str], named: str) -> None:
@@ -192,7 +194,22 @@ def _rows_of(run, scene: Path, suite: str, *options: object) -> list[dict]:
     return rows
 
 
-@pytest.mark.parametrize("suite", [name for name in SUITES if name not in WITH_EMBREE])
+def test_watertight(run, tmp_path: Path) -> None:
+    rows_file = tmp_path / "rows.json"
+    result = run("bench", "watertight", "--rays", "20000", "--level", "3", "--json", rows_file)
+    assert result.returncode == 0, result.stderr
+    rows = json.loads(rows_file.read_text())
+    assert [(row["level"], row["tracer"]) for row in rows] == [(3, "packet"), (3, "single")]
+    for row in rows:
+        assert {*KEYS, "scene", "level", "threads", "tracer", "ratio"} <= set(row)
+        assert row["rays"]["primary"] >= 10_000
+        assert row["escapes"] == 0, row["first_escape"]
+
+
+ON_A_SCENE = [name for name, suite in SUITES.items() if suite.takes_scene]
+
+
+@pytest.mark.parametrize("suite", [name for name in ON_A_SCENE if name not in WITH_EMBREE])
 def test_suite(run, scene: Path, suite: str) -> None:
     rows = _rows_of(run, scene, suite)
     if suite in ("table1", "table2", "table3", "table4", "table5"):

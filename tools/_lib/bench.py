@@ -56,6 +56,13 @@ def _parse(arguments: list[str]) -> argparse.Namespace:
         "--runs", metavar="N", type=_number(1, 1000), default=5, help="medians of this; default: 5"
     )
     parser.add_argument(
+        "--rays",
+        metavar="N",
+        type=_number(1, 1_000_000_000),
+        default=10_000_000,
+        help="of watertight, about; default: 10000000",
+    )
+    parser.add_argument(
         "--quick", action="store_true", help="256 pixels, one run, no city: to see that it works"
     )
     parser.add_argument("--json", metavar="F", help="write the rows as JSON")
@@ -72,6 +79,8 @@ def _parse(arguments: list[str]) -> argparse.Namespace:
 def _check(options: argparse.Namespace) -> None:
     if options.suite not in SUITES:
         raise CommandError(f"unknown suite '{options.suite}' (known: {' '.join(SUITES)})", 2)
+    if options.scene and not SUITES[options.suite].takes_scene:
+        raise CommandError(f"{options.suite} has scenes of its own: leave out --scene", 2)
     if (
         options.scene
         and options.scene not in bench_scenes.GENERATED

@@ -173,5 +173,13 @@ THREADS: Columns = {
     "Mrays/s": lambda row: f"{row['mrays_per_second'][row['kind']]:.2f}",
     "over one thread": _number("ratio", "{:.2f}x"),
 }
+WATERTIGHT: Columns = {
+    "cages": lambda row: str(row["cages"]),
+    "level": lambda row: str(row["level"]),
+    "tracer": lambda row: row["tracer"],
+    "rays": lambda row: f"{row['rays']['primary']:,}",
+    "escapes": lambda row: f"{row['escapes']:,}",
+    "first escape": lambda row: row["first_escape"] or "-",
+}
 #: Columns that are flush left.
-TEXT = ("scene", "tracer", "rays", "interface")
+TEXT = ("first escape", "scene", "tracer", "rays", "interface")

@@ -67,6 +67,12 @@ def ours(cages: Path) -> Program:
     return Program(folder / "tests" / "bench" / "cc_bench", cages)
 
 
+def watertight() -> Program:
+    """Starts cc_watertight, building it first if need be."""
+    folder = build.build_target("cc_watertight", preset="release", more_sources=("tests",))
+    return Program(folder / "tests" / "watertight" / "cc_watertight")
+
+
 def require_embree() -> None:
     """Installs what the peer needs; raises CommandError if that cannot be done."""
     try:

@@ -6,7 +6,14 @@ import statistics
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-from . import bench_columns, bench_embree, bench_measure, bench_programs, bench_scenes
+from . import (
+    bench_columns,
+    bench_embree,
+    bench_measure,
+    bench_programs,
+    bench_scenes,
+    bench_watertight,
+)
 from .bench_columns import Columns
 from .bench_measure import Row, Session
 from .console import CommandError, warning
@@ -24,6 +31,7 @@ class Suite:
     about: str
     run: Callable[[argparse.Namespace], list[Row]]
     columns: Columns
+    takes_scene: bool = True
 
 
 def _levels(options: argparse.Namespace, otherwise: Sequence[int] = (4,)) -> Sequence[int]:
@@ -247,4 +255,10 @@ SUITES = {
     "build": Suite("from points to the first ray", build, bench_columns.BUILD),
     "memory": Suite("bytes a face", memory, bench_columns.MEMORY),
     "threads": Suite("one thread and more", threads, bench_columns.THREADS),
+    "watertight": Suite(
+        "rays that slip through closed surfaces",
+        bench_watertight.run,
+        bench_columns.WATERTIGHT,
+        takes_scene=False,
+    ),
 }

@@ -1,0 +1,66 @@
+"""Rays that slip through closed surfaces: counted, not timed."""
+
+import argparse
+
+from . import bench_programs
+from .bench_measure import COUNTS, KINDS, Row, bytes_of
+
+TRACERS = ("packet", "single")
+LEVELS = (0, 1, 2, 3, 4, 5, 6)
+#: At these levels patches are split by steps, which takes far longer: they get fewer of the rays.
+SPLIT_LEVELS, SPLIT_SHARE = (5, 6, 7, 8), 0.1
+
+
+def run(options: argparse.Namespace) -> list[Row]:
+    """A row for each level and tracer, over all ways to place the closed cages."""
+    levels = LEVELS if options.level is None else (options.level,)
+    rays = min(options.rays, 100_000) if options.quick else options.rays
+    whole = sum(_share(level) for level in levels) * len(TRACERS)
+    with bench_programs.watertight() as program:
+        return [
+            _count(program, level, tracer, round(rays * _share(level) / whole), options.threads)
+            for level in levels
+            for tracer in TRACERS
+        ]
+
+
+def _share(level: int) -> float:
+    return SPLIT_SHARE if level in SPLIT_LEVELS else 1.0
+
+
+def _count(
+    program: bench_programs.Program, level: int, tracer: str, rays: int, threads: int
+) -> Row:
+    row = _empty_row(level, tracer, threads)
+    placements = program.ask("placements")["count"]
+    for placement in range(placements):
+        # Each has its own seed.
+        words = (tracer, placement, level, max(1, rays // placements), placement, threads)
+        answer = program.ask("count", *words)
+        row["cages"] = answer["cages"]
+        row["rays"]["primary"] += answer["rays"]
+        row["escapes"] += answer["escapes"]
+        if answer["escapes"] and not row["first_escape"]:
+            row["first_escape"] = f"{answer['placement']}: {answer['first_escape']}"
+    return row
+
+
+def _empty_row(level: int, tracer: str, threads: int) -> Row:
+    return {
+        "scene": "closed cages",
+        "level": level,
+        "threads": threads,
+        "tracer": tracer,
+        "ratio": 1.0,
+        "faces": 0,
+        "patches": 0,
+        "seconds": {"sync": 0.0, "build": 0.0, "trace": 0.0},
+        "rays": dict.fromkeys(KINDS, 0),
+        "mrays_per_second": dict.fromkeys(KINDS, 0.0),
+        "bytes": bytes_of(0, 0, 0),
+        "levels": {"min": level, "max": level, "histogram": [0] * (level + 1)},
+        "packet": dict.fromkeys(COUNTS, 0.0),
+        "cages": 0,
+        "escapes": 0,
+        "first_escape": "",
+    }
