@@ -65,7 +65,7 @@ int NearestCorner(float u, float v) {
     return w >= u && w >= v ? 0 : u >= v ? 1 : 2;
 }
 
-/// Evaluates a triangle if it is regular, or at a corner whose masks are exact. Returns false
+/// Evaluates a triangle if it is regular, or at a corner whose masks are known. Returns false
 /// otherwise.
 bool EvaluateIfSimple(const IrregularTriangle& patch, float u, float v, LimitPoint* point) {
     Vec3f spline[12];
@@ -76,8 +76,7 @@ bool EvaluateIfSimple(const IrregularTriangle& patch, float u, float v, LimitPoi
     const int nearest = NearestCorner(u, v);
     const TriangleRing& ring = patch.rings[nearest];
     Vec3f unused[2];
-    if (IsCorner(u, v) && ring.VertexRule() != RingTags::Rule::Corner &&
-        ring.LimitTangents(patch.faces[nearest], &unused[0], &unused[1])) {
+    if (IsCorner(u, v) && ring.LimitTangents(patch.faces[nearest], &unused[0], &unused[1])) {
         *point = EvaluateCorner(patch, nearest);
         return true;
     }

@@ -3,6 +3,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "core/subdiv/loopCorner.h"
+
 namespace cc {
 namespace {
 
@@ -116,13 +118,14 @@ bool TriangleRing::LimitTangents(int face, Vec3f* towardsEdge, Vec3f* towardsNex
         IsOnOutsideCrease()) {
         return false;
     }
+    if (rule == Rule::Corner) {
+        return _CornerTangents(face, towardsEdge, towardsNextEdge);
+    }
     Vec3f* const tangents[2] = {towardsEdge, towardsNextEdge};
     const Vec3f along = isClosed ? Vec3f{} : edges.front() - edges.back();
     const Vec3f across = rule == Rule::Crease ? _TangentAcrossCrease() : Vec3f{};
     for (int i = 0; i < 2; ++i) {
-        if (rule == Rule::Corner) {
-            *tangents[i] = edges[Wrap(face + i)] - center;
-        } else if (rule == Rule::Smooth) {
+        if (rule == Rule::Smooth) {
             Vec3f sum;
             for (int j = 0; j < FaceCount(); ++j) {
                 const double angle = 2 * kPi * (j - face - i) / FaceCount();
@@ -136,6 +139,24 @@ bool TriangleRing::LimitTangents(int face, Vec3f* towardsEdge, Vec3f* towardsNex
         }
     }
     return true;
+}
+
+/// A closed ring that has a sharp edge is open, from that edge around to it again.
+bool TriangleRing::_CornerTangents(int face, Vec3f* towardsEdge, Vec3f* towardsNextEdge) const {
+    int first = 0;
+    bool isCut = !isClosed;
+    for (int j = 0; j < FaceCount() && isClosed; ++j) {
+        if (edgeSharpness[j] > 0) {
+            first = j;
+            isCut = true;
+        }
+    }
+    CornerEdges fromCorner;
+    for (int j = 0; j < FaceCount() + (isCut ? 1 : 0); ++j) {
+        fromCorner.push_back(edges[Wrap(first + j)] - center);
+    }
+    const int fromFirst = face >= first ? face - first : face - first + FaceCount();
+    return LoopCornerTangents(fromCorner, !isCut, fromFirst, towardsEdge, towardsNextEdge);
 }
 
 /// The left eigenvector of the subdivision matrix whose eigenvalue is 3/8 + cos(pi/n)/4: the weight

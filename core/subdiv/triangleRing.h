@@ -27,9 +27,9 @@ struct TriangleRing : RingTags {
     Vec3f LimitPosition() const;
 
     /// Tangents of the surface at the settled vertex, of arbitrary length, towards the two edges of
-    /// a face; their cross product points along the outward normal. In a corner of several faces
-    /// they are the face's own edges, which come near the tangents as the vertex is refined.
-    /// Returns false if no mask is known: at a dart, or where a smooth boundary has a single face.
+    /// a face; their cross product points along the outward normal. In a corner they are those of
+    /// LoopCornerTangents. Returns false if no mask is known: at a dart, where a smooth boundary
+    /// has a single face, or where LoopCornerTangents knows none.
     bool LimitTangents(int face, Vec3f* towardsEdge, Vec3f* towardsNextEdge) const;
 
     /// Moves all points.
@@ -40,6 +40,7 @@ struct TriangleRing : RingTags {
     Vec3f _VertexPoint(const RingTags& tags) const;
     Vec3f _EdgeSum() const;
     Vec3f _TangentAcrossCrease() const;
+    bool _CornerTangents(int face, Vec3f* towardsEdge, Vec3f* towardsNextEdge) const;
 };
 
 /// @param values  one value a patch point

@@ -118,7 +118,10 @@ Ring Refine(const Ring& ring) {
 class FarOracle : public LimitOracle {
   public:
     FarOracle(const ControlMesh& mesh, const std::vector<Values>& cage, int levels)
-        : _patches(mesh, cage.size(), levels), _cage(cage), _rules(RulesOf(mesh)) {
+        : _patches(mesh, cage.size(), levels),
+          _cage(cage),
+          _rules(RulesOf(mesh)),
+          _deepLevels(levels + kDeeper) {
         if (!_patches.IsValid()) {
             return;
         }
@@ -196,18 +199,21 @@ class FarOracle : public LimitOracle {
     }
 
     /// Refines the ring of a corner, and only that, until it is too small to matter.
-    static constexpr int kEnough = 24;
     Sample _EvaluateDeep(const CornerOfFace& corner) const {
         Ring ring = RingOf(_Cage(), corner, _cage, _rules);
-        for (int level = 0; level < kEnough; ++level) {
+        for (int level = 0; level < _deepLevels; ++level) {
             ring = Refine(ring);
         }
         return FarOracle(ring.mesh, ring.points, 1)._EvaluatePatch({0, 0, 0, 0});
     }
 
+    /// How many levels deeper than patches a ring is refined.
+    static constexpr int kDeeper = 24;
+
     FarPatches _patches;
     const std::vector<Values> _cage;
     const ControlMesh _rules;
+    const int _deepLevels;
     /// Of all levels' vertices, then of the points that patches add.
     std::vector<Values> _values;
 };

@@ -44,7 +44,7 @@ class Comparison {
         _values = patches.PatchPoints(values);
         _oracle = kind == OracleKind::Bfr ? MakeBfrOracle(cage.mesh, cage.points, values)
                                           : MakeFarOracle(cage.mesh, cage.points, values);
-        for (int levels : {kOracleLevels - 1, kOracleLevels - 2}) {
+        for (int levels : {kOracleLevels - 1, kOracleLevels / 2}) {
             _coarserOracles.push_back(MakeFarOracle(cage.mesh, cage.points, values, levels));
         }
         Box3f box;
@@ -79,7 +79,7 @@ class Comparison {
         }
         const Vec3f value = EvaluateLimitValue(_patches, patch, _values.data(), u, v);
         Keep(Length(value - expected.value), where, &result.primvar, &result.worstPrimvar);
-        if (_HasNormal(at, expected, isCorner) && !(isCorner && _IsResonant(patch, u, v))) {
+        if (_HasNormal(at, expected, isCorner)) {
             Keep(Degrees(_patches.IsLeftHanded() ? -actual.normal : actual.normal, expected.normal),
                  where, &result.normal, &result.worstNormal);
         }
@@ -129,25 +129,13 @@ class Comparison {
         return !isCorner || _IsSettled(at, expected.normal);
     }
 
-    /// In a sharp corner of three triangles the inner edges shrink by a half, exactly as those that
-    /// drive them do: the normal converges with one over the number of levels, as ours does there,
-    /// and no number of levels that anybody can afford settles it.
-    bool _IsResonant(uint32_t patch, float u, float v) const {
-        if (_patches.At(patch).kind != PatchKind::IrregularTriangle) {
-            return false;
-        }
-        const PatchRing& ring = _patches.Ring(_patches.Indices(patch)[2 * (u == 1   ? 1
-                                                                           : v == 1 ? 2
-                                                                                    : 0)]);
-        const RingTags tags = _patches.TagsOf(ring);
-        return tags.VertexRule() == RingTags::Rule::Corner && tags.FaceCount() == 3;
-    }
-
     /// Where OpenSubdiv has no mask for a corner's tangents, its normal converges with the levels,
     /// by the ratio of the two largest eigenvalues: in a sharp corner whose n faces close around it
     /// those of rotations by 0 and by 2 pi / n, or 0.55 / 0.65 = 0.84 for 5 faces and 0.65 / 0.65 =
-    /// 0.99 for 20. What is left in all is below 0.99 / (1 - 0.99) < 100 times what a level
-    /// changes; two levels, since errors of two kinds may cancel out in one.
+    /// 0.99 for 20; and in the corners of Loop's scheme where two are equal, as one over the
+    /// levels. What is left in all is below 0.99 / (1 - 0.99) < 100 times what a level changes; two
+    /// coarser surfaces, since errors of two kinds may cancel out in one, and one of them by far,
+    /// since a normal may turn back.
     bool _IsSettled(const FaceParameter& at, const Vec3f& fine) {
         return std::all_of(_coarserOracles.begin(), _coarserOracles.end(), [&](auto& oracle) {
             const Vec3f coarse = oracle->Evaluate(at).normal;
