@@ -400,7 +400,7 @@ std::string ToCode(const Cage& cage) {
 
 void ExpectForGeneratedCages(const std::string& description,
                              const std::function<std::string(const Cage&)>& property) {
-    setenv("RC_PARAMS", "seed=20 max_success=100 max_size=30", 0);
+    setenv("RC_PARAMS", "seed=20 max_success=50 max_size=30", 0);
     EXPECT_TRUE(rc::check(description, [&property] {
         const CageRecipe recipe = *Recipes();
         const std::string failure = property(BuildCage(recipe));

@@ -42,10 +42,13 @@ class Comparison {
         : _kind(kind), _patches(patches), _points(patches.PatchPoints(cage.points)) {
         const std::vector<Vec3f> values = PrimvarFor(cage.points.size());
         _values = patches.PatchPoints(values);
-        _oracle = kind == OracleKind::Bfr ? MakeBfrOracle(cage.mesh, cage.points, values)
-                                          : MakeFarOracle(cage.mesh, cage.points, values);
-        for (int levels : {kOracleLevels - 1, kOracleLevels / 2}) {
-            _coarserOracles.push_back(MakeFarOracle(cage.mesh, cage.points, values, levels));
+        if (kind == OracleKind::Bfr) {
+            _oracle = MakeBfrOracle(cage.mesh, cage.points, values);
+        } else {
+            _oracle = MakeFarOracle(cage.mesh, cage.points, values);
+            for (int levels : {kOracleLevels - 1, kOracleLevels / 2}) {
+                _coarserOracles.push_back(MakeFarOracle(cage.mesh, cage.points, values, levels));
+            }
         }
         Box3f box;
         for (int vertex : cage.mesh.faceVertexIndices) {
@@ -145,6 +148,7 @@ class Comparison {
 
     const OracleKind _kind;
     std::unique_ptr<LimitOracle> _oracle;
+    /// For corners, where Bfr is not asked.
     std::vector<std::unique_ptr<LimitOracle>> _coarserOracles;
     const PatchTable& _patches;
     const std::vector<Vec3f> _points;
