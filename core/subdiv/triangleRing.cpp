@@ -8,11 +8,10 @@
 namespace cc {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
 /// Weight of each neighbour of a smooth vertex in a subdivision step (Loop 1987).
 double NeighborWeight(int valence) {
-    const double beta = 0.375 + 0.25 * std::cos(2 * kPi / valence);
+    constexpr double kTwoPi = 6.28318530717958647692;
+    const double beta = 0.375 + 0.25 * std::cos(kTwoPi / valence);
     return (0.625 - beta * beta) / valence;
 }
 
@@ -63,14 +62,8 @@ Vec3f TriangleRing::_EdgePoint(int edge, float sharpness) const {
 
 /// @param tags  whose rule to follow: this ring's, or those of a step later
 Vec3f TriangleRing::_VertexPoint(const RingTags& tags) const {
-    const Rule rule = tags.VertexRule();
-    if (rule == Rule::Corner) {
-        return center;
-    }
-    if (rule == Rule::Crease) {
-        int ends[2];
-        tags.CreaseEdges(ends);
-        return center * 0.75f + (edges[ends[0]] + edges[ends[1]]) * 0.125f;
+    if (tags.VertexRule() != Rule::Smooth) {
+        return _SharpVertexPoint(tags);
     }
     const double weight = NeighborWeight(FaceCount());
     return center * static_cast<float>(1 - FaceCount() * weight) +
@@ -85,63 +78,23 @@ Vec3f TriangleRing::_EdgeSum() const {
     return sum;
 }
 
-Vec3f TriangleRing::LimitPosition() const {
-    if (!IsSettled()) {
-        return Subdivide().LimitPosition();
-    }
-    const Rule rule = VertexRule();
-    if (rule == Rule::Corner) {
-        return center;
-    }
-    if (rule == Rule::Crease) {
-        int ends[2];
-        CreaseEdges(ends);
-        return (center * 4 + (edges[ends[0]] + edges[ends[1]])) * (1 / 6.0f);
-    }
-    if (IsDart()) {
-        // No short mask is known to us; the step contracts by half or better.
-        TriangleRing ring = *this;
-        ring.Translate(-center);
-        for (int step = 0; step < 40; ++step) {
-            ring = ring.Subdivide();
-        }
-        return ring.center + center;
-    }
+Vec3f TriangleRing::_SmoothLimit() const {
     // The left eigenvector of the subdivision matrix to its eigenvalue 1.
     const double n = FaceCount(), weight = 1 / (n + 0.375 / NeighborWeight(FaceCount()));
     return center * static_cast<float>(1 - n * weight) + _EdgeSum() * static_cast<float>(weight);
 }
 
-bool TriangleRing::LimitTangents(int face, Vec3f* towardsEdge, Vec3f* towardsNextEdge) const {
-    const Rule rule = VertexRule();
-    if (!IsSettled() || IsDart() || (rule == Rule::Crease && FaceCount() < 2) ||
-        IsOnOutsideCrease()) {
-        return false;
+Vec3f TriangleRing::_SmoothTangent(int towardsEdge) const {
+    Vec3f sum;
+    for (int j = 0; j < FaceCount(); ++j) {
+        const double angle = 2 * kPi * (j - towardsEdge) / FaceCount();
+        sum += edges[j] * static_cast<float>(std::cos(angle));
     }
-    if (rule == Rule::Corner) {
-        return _CornerTangents(face, towardsEdge, towardsNextEdge);
-    }
-    Vec3f* const tangents[2] = {towardsEdge, towardsNextEdge};
-    const Vec3f along = isClosed ? Vec3f{} : edges.front() - edges.back();
-    const Vec3f across = rule == Rule::Crease ? _TangentAcrossCrease() : Vec3f{};
-    for (int i = 0; i < 2; ++i) {
-        if (rule == Rule::Smooth) {
-            Vec3f sum;
-            for (int j = 0; j < FaceCount(); ++j) {
-                const double angle = 2 * kPi * (j - face - i) / FaceCount();
-                sum += edges[j] * static_cast<float>(std::cos(angle));
-            }
-            *tangents[i] = sum;
-        } else {
-            const double angle = kPi * (face + i) / FaceCount();
-            *tangents[i] = along * static_cast<float>(std::cos(angle)) +
-                           across * static_cast<float>(std::sin(angle));
-        }
-    }
-    return true;
+    return sum;
 }
 
-/// A closed ring that has a sharp edge is open, from that edge around to it again.
+/// Those of LoopCornerTangents. A closed ring that has a sharp edge is open, from that edge around
+/// to it again.
 bool TriangleRing::_CornerTangents(int face, Vec3f* towardsEdge, Vec3f* towardsNextEdge) const {
     int first = 0;
     bool isCut = !isClosed;

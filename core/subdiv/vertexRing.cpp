@@ -3,11 +3,6 @@
 #include <cmath>
 
 namespace cc {
-namespace {
-
-constexpr double kPi = 3.14159265358979323846;
-
-}  // namespace
 
 VertexRing VertexRing::Subdivide() const {
     VertexRing child;
@@ -40,14 +35,8 @@ Vec3f VertexRing::_EdgePoint(int edge, float sharpness, const Diagonals& facePoi
 
 /// @param tags  whose rule to follow: this ring's, or those of a step later
 Vec3f VertexRing::_VertexPoint(const RingTags& tags, const Diagonals& facePoints) const {
-    const Rule rule = tags.VertexRule();
-    if (rule == Rule::Corner) {
-        return center;
-    }
-    if (rule == Rule::Crease) {
-        int ends[2];
-        tags.CreaseEdges(ends);
-        return center * 0.75f + (edges[ends[0]] + edges[ends[1]]) * 0.125f;
+    if (tags.VertexRule() != Rule::Smooth) {
+        return _SharpVertexPoint(tags);
     }
     Vec3f sum;
     for (int j = 0; j < FaceCount(); ++j) {
@@ -57,28 +46,7 @@ Vec3f VertexRing::_VertexPoint(const RingTags& tags, const Diagonals& facePoints
     return center * (1 - 2 * inverse) + sum * (inverse * inverse);
 }
 
-Vec3f VertexRing::LimitPosition() const {
-    if (!IsSettled()) {
-        return Subdivide().LimitPosition();
-    }
-    const Rule rule = VertexRule();
-    if (rule == Rule::Corner) {
-        return center;
-    }
-    if (rule == Rule::Crease) {
-        int ends[2];
-        CreaseEdges(ends);
-        return (center * 4 + (edges[ends[0]] + edges[ends[1]])) * (1 / 6.0f);
-    }
-    if (IsDart()) {
-        // No short mask is known to us; the step contracts by half or better.
-        VertexRing ring = *this;
-        ring.Translate(-center);
-        for (int step = 0; step < 40; ++step) {
-            ring = ring.Subdivide();
-        }
-        return ring.center + center;
-    }
+Vec3f VertexRing::_SmoothLimit() const {
     Vec3f edgeSum, diagonalSum;
     for (int j = 0; j < FaceCount(); ++j) {
         edgeSum += edges[j];
@@ -88,26 +56,11 @@ Vec3f VertexRing::LimitPosition() const {
     return (center * (n * n) + edgeSum * 4 + diagonalSum) * (1 / (n * (n + 5)));
 }
 
-bool VertexRing::LimitTangents(int face, Vec3f* towardsEdge, Vec3f* towardsNextEdge) const {
-    const Rule rule = VertexRule();
-    if (!IsSettled() || IsDart() || (rule == Rule::Crease && FaceCount() < 2) ||
-        IsOnOutsideCrease()) {
-        return false;
-    }
-    Vec3f* const tangents[2] = {towardsEdge, towardsNextEdge};
-    const Vec3f along = isClosed ? Vec3f{} : edges.front() - edges.back();
-    const Vec3f across = rule == Rule::Crease ? _TangentAcrossCrease() : Vec3f{};
-    for (int i = 0; i < 2; ++i) {
-        if (rule == Rule::Corner) {
-            *tangents[i] = edges[Wrap(face + i)] - center;
-        } else if (rule == Rule::Smooth) {
-            *tangents[i] = _SmoothTangent(face + i);
-        } else {
-            const double angle = kPi * (face + i) / FaceCount();
-            *tangents[i] = along * static_cast<float>(std::cos(angle)) +
-                           across * static_cast<float>(std::sin(angle));
-        }
-    }
+/// Where the surface has a kink in the face's side, as in a corner of several faces, the face's own
+/// edges stand for its tangents, as OpenSubdiv has it.
+bool VertexRing::_CornerTangents(int face, Vec3f* towardsEdge, Vec3f* towardsNextEdge) const {
+    *towardsEdge = edges[face] - center;
+    *towardsNextEdge = edges[Wrap(face + 1)] - center;
     return true;
 }
 
