@@ -17,6 +17,7 @@ struct BezierPatch {
     static BezierPatch FromBilinear(const Vec3f corners[4]);
 
     Vec3f Position(float u, float v) const;
+    /// Derivatives of the position by the parameters.
     Vec3f DerivativeU(float u, float v) const;
     Vec3f DerivativeV(float u, float v) const;
 

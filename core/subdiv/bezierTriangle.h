@@ -25,6 +25,7 @@ struct BezierTriangle {
     static BezierTriangle FromBoxSpline(const Vec3f spline[12]);
 
     Vec3f Position(float u, float v) const;
+    /// Derivatives of the position by the parameters.
     Vec3f DerivativeU(float u, float v) const;
     Vec3f DerivativeV(float u, float v) const;
 

@@ -48,11 +48,11 @@ void ExtraordinaryPatch::_GatherGrid(Vec3f grid[4][4]) const {
     grid[3][3] = outer[3];
 }
 
-void ExtraordinaryPatch::Subdivide(RegularQuarters* quarters) {
+/// The ring after a step, into _scratch: face points, edge points and the vertex point (paper,
+/// section 2.1).
+void ExtraordinaryPatch::_RefineRing() {
     const int n = _valence;
     const Vec3f center = _points[0];
-
-    // The ring: face points, edge points and the vertex point (paper, section 2.1).
     _scratch.resize(_points.size());
     Vec3f edgeSum, faceSum;
     for (int i = 0; i < n; ++i) {
@@ -69,6 +69,11 @@ void ExtraordinaryPatch::Subdivide(RegularQuarters* quarters) {
     }
     const float inverse = 1.0f / static_cast<float>(n);
     _scratch[0] = center * (1 - 2 * inverse) + (edgeSum + faceSum) * (inverse * inverse);
+}
+
+void ExtraordinaryPatch::Subdivide(RegularQuarters* quarters) {
+    const int n = _valence;
+    _RefineRing();
 
     // The refined 5x5 grid by tensor product; then the points that the ring decides.
     Vec3f grid[4][4], columns[4][5], refined[5][5];

@@ -53,6 +53,7 @@ class ExtraordinaryPatch {
     const Vec3f& _EdgeNeighbor(int i) const { return _points[1 + 2 * (i % _valence)]; }
     const Vec3f& _FaceDiagonal(int i) const { return _points[2 + 2 * (i % _valence)]; }
     void _GatherGrid(Vec3f grid[4][4]) const;
+    void _RefineRing();
 
     int _valence;
     Points _points;

@@ -31,8 +31,10 @@ struct IrregularPatch {
     /// Box of all points that shape the quad: it holds the surface.
     Box3f HullBox() const;
 
+    /// Limit positions of the corners.
     void LimitCorners(Vec3f corners[4]) const;
 
+    /// Moves all points.
     void Translate(const Vec3f& by);
 
   private:

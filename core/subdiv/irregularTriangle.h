@@ -25,8 +25,10 @@ struct IrregularTriangle {
     /// Box of all points that shape the triangle: it holds the surface.
     Box3f HullBox() const;
 
+    /// Limit positions of the corners.
     void LimitCorners(Vec3f corners[3]) const;
 
+    /// Moves all points.
     void Translate(const Vec3f& by);
 };
 

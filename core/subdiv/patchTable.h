@@ -48,6 +48,7 @@ struct Patch {
     uint8_t isSubQuad : 1;  ///< the authored face is not a quad: cells count from its sub-quads
     uint8_t isExtrapolated : 1;  ///< points of a regular patch are 2a - b, beyond a boundary
 };
+static_assert(sizeof(Patch) == 20, "with 16 indices, the 84 bytes of docs/performance.md");
 
 /// A vertex with the faces and tags that shape one side of it (RingTags), shared by the irregular
 /// patches around the vertex. Its points are the vertex, then its edge neighbours, and among quads
@@ -115,6 +116,7 @@ class PatchTable {
 
     const PatchRing& Ring(uint32_t ring) const { return _rings[ring]; }
     const uint32_t* RingIndices(const PatchRing& ring) const { return &_indices[ring.firstIndex]; }
+    /// Which vertex, edges and sharpnesses a ring has, without its points.
     RingTags TagsOf(const PatchRing& ring) const;
     SharpnessDecay Decay() const { return _decay; }
 
@@ -130,6 +132,7 @@ class PatchTable {
     /// @param points  as PatchPoints returns them
     std::array<double, 3> ExactPoint(const Vec3f* points, uint32_t index) const;
 
+    /// Where on its authored face a patch has its parameters u, v in 0..1.
     FaceParameter ToFace(uint32_t patch, float u, float v) const;
 
     /// Memory held, in bytes.

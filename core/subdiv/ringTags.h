@@ -50,6 +50,7 @@ struct RingTags {
     int NeighborCount() const {
         return static_cast<int>(edgeSharpness.size()) + outsideNeighborCount;
     }
+    /// The rule that the vertex follows in the next step.
     Rule VertexRule() const;
     /// True if every tag has settled: what is sharp is so for ever.
     bool IsSettled() const;
