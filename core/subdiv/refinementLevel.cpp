@@ -264,9 +264,13 @@ RefinementLevel::RefinementLevel(const ControlMesh& mesh, size_t pointCount, std
     _refiner = description.CreateRefiner(
         mesh.scheme == Scheme::Loop ? Sdc::SCHEME_LOOP : Sdc::SCHEME_CATMARK, OptionsOf(mesh));
     currentError = nullptr;
-    if (!_refiner) {
-        return;
+    if (_refiner) {
+        _NoteCage(mesh, pointCount);
     }
+}
+
+/// What is known of the cage once OpenSubdiv has its topology.
+void RefinementLevel::_NoteCage(const ControlMesh& mesh, size_t pointCount) {
     for (int face = 0; face < FaceCount(); ++face) {
         // Without boundary interpolation OpenSubdiv drops the faces along the boundary.
         _origins[face].isVisible = _origins[face].isVisible && !Topology().IsFaceHole(face);

@@ -62,6 +62,7 @@ class RefinementLevel {
         void Merge();
     };
 
+    void _NoteCage(const ControlMesh& mesh, size_t pointCount);
     Stencil _ToStencil(const MaskRow& row, RefinementLevel* level, PatchTable* table);
 
     std::unique_ptr<OpenSubdiv::Far::TopologyRefiner> _refiner;
