@@ -67,18 +67,38 @@ std::vector<Vec3f> PatchTable::PatchPoints(const std::vector<Vec3f>& cageValues)
     return points;
 }
 
-std::array<double, 3> PatchTable::ExactPoint(const Vec3f* points, uint32_t index) const {
+bool PatchTable::_IsExtrapolatedFrom(uint32_t index, uint32_t a, uint32_t b) const {
     if (!_IsExtrapolated(index)) {
-        const Vec3f& p = points[index];
-        return {p.x, p.y, p.z};
+        return false;
     }
     const uint32_t end = _stencilEnds[index - _cagePointCount] & ~kExtrapolated;
-    std::array<double, 3> a = ExactPoint(points, _stencilIndices[end - 2]);
-    const std::array<double, 3> b = ExactPoint(points, _stencilIndices[end - 1]);
-    for (int axis = 0; axis < 3; ++axis) {
-        a[axis] = 2 * a[axis] - b[axis];
+    return _stencilIndices[end - 2] == a && _stencilIndices[end - 1] == b;
+}
+
+uint8_t PatchTable::_ExtrapolatedSides(const uint32_t* indices) const {
+    // Of each side: its first outer point, the step along the side, and that into the patch.
+    struct Side {
+        PatchSide side;
+        int first, along, inwards;
+    };
+    constexpr Side kSides[4] = {
+        {kLowRow, 0, 1, 4}, {kHighRow, 12, 1, -4}, {kLowColumn, 0, 4, 1}, {kHighColumn, 3, 4, -1}};
+    uint8_t sides = 0;
+    for (const Side& side : kSides) {
+        const auto isInner = [&](int i) {
+            const int at = side.first + i * side.along;
+            return _IsExtrapolatedFrom(indices[at], indices[at + side.inwards],
+                                       indices[at + 2 * side.inwards]);
+        };
+        // At a corner between two such sides either may have been first.
+        const auto isOuter = [&](int i) {
+            return _IsExtrapolated(indices[side.first + i * side.along]);
+        };
+        if (isOuter(0) && isInner(1) && isInner(2) && isOuter(3)) {
+            sides |= side.side;
+        }
     }
-    return a;
+    return sides;
 }
 
 FaceParameter PatchTable::ToFace(uint32_t patch, float u, float v) const {
@@ -123,9 +143,8 @@ uint32_t PatchTable::AddExtrapolatedPoint(uint32_t a, uint32_t b) {
 void PatchTable::AddPatch(Patch patch, const uint32_t* indices, int count) {
     patch.firstIndex = static_cast<uint32_t>(_indices.size());
     _indices.insert(_indices.end(), indices, indices + count);
-    patch.isExtrapolated =
-        patch.kind == PatchKind::Regular &&
-        std::any_of(indices, indices + count, [&](uint32_t i) { return _IsExtrapolated(i); });
+    patch.extrapolatedSides =
+        patch.kind == PatchKind::Regular ? _ExtrapolatedSides(indices) & 15 : 0;
     _patches.push_back(patch);
     _maxDepth = std::max(_maxDepth, static_cast<int>(patch.depth));
 }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -34,6 +33,9 @@ enum class PatchKind : uint8_t {
     FlatTriangle,
 };
 
+/// Sides of the 16 points of a regular patch: beyond v = 0 and 1, and u = 0 and 1.
+enum PatchSide : uint8_t { kLowRow = 1, kHighRow = 2, kLowColumn = 4, kHighColumn = 8 };
+
 /// One quad of the surface with its 1-ring, one triangle under the Loop scheme, or one of those
 /// that a polygon is cut into.
 struct Patch {
@@ -42,11 +44,13 @@ struct Patch {
     uint32_t corner;        ///< of an n-gon: which of its n sub-quads or n - 2 triangles; else 0
     uint16_t cellU, cellV;  ///< which of the 2^cellDepth x 2^cellDepth cells of the (sub-)quad
     uint16_t valence;       ///< largest at its corners: 4 if it is regular, 6 as a triangle
-    uint8_t depth;          ///< refinement steps between the cage and this quad
+    uint8_t depth : 4;      ///< refinement steps between the cage and this quad
+    /// A bit for each side of a regular patch, by PatchSide, whose outer points are 2a - b, a being
+    /// the points of its edge and b those behind.
+    uint8_t extrapolatedSides : 4;
     PatchKind kind : 4;
     uint8_t rotation : 2;   ///< corner of the cell that (0,0) of the patch lies at
     uint8_t isSubQuad : 1;  ///< the authored face is not a quad: cells count from its sub-quads
-    uint8_t isExtrapolated : 1;  ///< points of a regular patch are 2a - b, beyond a boundary
 };
 static_assert(sizeof(Patch) == 20, "with 16 indices, the 84 bytes of docs/performance.md");
 
@@ -126,12 +130,6 @@ class PatchTable {
     /// The values of all patch points, given those of the cage's (CagePointCount of them).
     std::vector<Vec3f> PatchPoints(const std::vector<Vec3f>& cageValues) const;
 
-    /// A patch point without rounding: points that are extrapolated are rounded, and differently on
-    /// either side of a crease. Exact if coordinates are on a lattice of a few bits less than a
-    /// double has.
-    /// @param points  as PatchPoints returns them
-    std::array<double, 3> ExactPoint(const Vec3f* points, uint32_t index) const;
-
     /// Where on its authored face a patch has its parameters u, v in 0..1.
     FaceParameter ToFace(uint32_t patch, float u, float v) const;
 
@@ -164,10 +162,12 @@ class PatchTable {
   private:
     static constexpr uint32_t kExtrapolated = 0x80000000u;
 
+    uint8_t _ExtrapolatedSides(const uint32_t* indices) const;
     bool _IsExtrapolated(uint32_t index) const {
         return index >= _cagePointCount &&
                (_stencilEnds[index - _cagePointCount] & kExtrapolated) != 0;
     }
+    bool _IsExtrapolatedFrom(uint32_t index, uint32_t a, uint32_t b) const;
 
     void _SetTriangle(uint32_t* indices, const std::vector<uint32_t>& points,
                       const PolygonTriangle& triangle);

@@ -6,8 +6,6 @@
 #define CC_TRACE_BEZIER_ROWS_INL_H
 #endif
 
-#include <array>
-
 #include <hwy/highway.h>
 
 #include "core/math/box.h"
@@ -33,69 +31,73 @@ HWY_INLINE hn::Vec<D> LoadFours(D d, const float* from, size_t stride) {
 }
 
 /// Weights that turn the 16 points of a uniform bicubic B-spline into the 16 of a Bezier patch,
-/// times 36: whole numbers.
+/// times 36: whole numbers. Where outer points are extrapolated as 2a - b, a and b have their
+/// weights: what is stored of them is rounded, on either side of a crease in its own way.
 struct BezierConversion {
     alignas(64) double weights[16][16];  ///< [B-spline point][Bezier point]
 
-    constexpr BezierConversion() : weights() {
-        constexpr int kCurve[4][4] = {{1, 4, 1, 0}, {0, 4, 2, 0}, {0, 2, 4, 0}, {0, 1, 4, 1}};
+    constexpr explicit BezierConversion(int sides) : weights() {
+        double rows[4][4] = {}, columns[4][4] = {};
+        _SetCurve((sides & kLowRow) != 0, (sides & kHighRow) != 0, rows);
+        _SetCurve((sides & kLowColumn) != 0, (sides & kHighColumn) != 0, columns);
         for (int from = 0; from < 16; ++from) {
             for (int to = 0; to < 16; ++to) {
-                const int row = to / 4, column = to % 4;
-                const int fromRow = from / 4, fromColumn = from % 4;
-                weights[from][to] = kCurve[row][fromRow] * kCurve[column][fromColumn];
+                weights[from][to] = rows[to / 4][from / 4] * columns[to % 4][from % 4];
             }
         }
     }
-};
-inline constexpr BezierConversion kBezierConversion;
 
-/// Makes the Bezier form of a bicubic B-spline. Whole multiples of points on a lattice (Surface)
-/// add up without rounding, so that patches that share an edge round the same sums once.
-/// @param point  returns the coordinates of point 0..15
-template <class Point>
-HWY_INLINE void ConvertBSpline(const Point& point, BezierRows* patch) {
+  private:
+    static constexpr void _SetCurve(bool isLow, bool isHigh, double curve[4][4]) {
+        constexpr double kCurve[4][4] = {{1, 4, 1, 0}, {0, 4, 2, 0}, {0, 2, 4, 0}, {0, 1, 4, 1}};
+        for (int to = 0; to < 4; ++to) {
+            const double low = isLow ? kCurve[to][0] : 0, high = isHigh ? kCurve[to][3] : 0;
+            curve[to][0] = kCurve[to][0] - low;
+            curve[to][1] = kCurve[to][1] + 2 * low - high;
+            curve[to][2] = kCurve[to][2] - low + 2 * high;
+            curve[to][3] = kCurve[to][3] - high;
+        }
+    }
+};
+/// By Patch::extrapolatedSides.
+inline constexpr BezierConversion kBezierConversions[16] = {
+    BezierConversion(0),  BezierConversion(1),  BezierConversion(2),  BezierConversion(3),
+    BezierConversion(4),  BezierConversion(5),  BezierConversion(6),  BezierConversion(7),
+    BezierConversion(8),  BezierConversion(9),  BezierConversion(10), BezierConversion(11),
+    BezierConversion(12), BezierConversion(13), BezierConversion(14), BezierConversion(15)};
+
+/// Gathers the Bezier form of a regular patch. Whole multiples of points on a lattice (Surface) add
+/// up without rounding, so that patches that share an edge, be it a crease, round the same sums
+/// once.
+/// @param points  of the patch table
+HWY_INLINE void GatherRegular(const PatchTable& patches, uint32_t patch, const Vec3f* points,
+                              BezierRows* bezier) {
     const hn::CappedTag<double, 8> d;
     const hn::Rebind<float, decltype(d)> df;
-    alignas(64) float bezier[4][16] = {};
+    const uint32_t* const indices = patches.Indices(patch);
+    const BezierConversion& conversion = kBezierConversions[patches.At(patch).extrapolatedSides];
+    alignas(64) float coordinates[4][16] = {};
     for (size_t lane = 0; lane < 16; lane += hn::Lanes(d)) {
         auto x = hn::Zero(d), y = x, z = x;
         for (int i = 0; i < 16; ++i) {
-            const auto& p = point(i);
-            const auto weight = hn::Load(d, kBezierConversion.weights[i] + lane);
-            x = hn::MulAdd(weight, hn::Set(d, static_cast<double>(p[0])), x);
-            y = hn::MulAdd(weight, hn::Set(d, static_cast<double>(p[1])), y);
-            z = hn::MulAdd(weight, hn::Set(d, static_cast<double>(p[2])), z);
+            const Vec3f& p = points[indices[i]];
+            const auto weight = hn::Load(d, conversion.weights[i] + lane);
+            x = hn::MulAdd(weight, hn::Set(d, static_cast<double>(p.x)), x);
+            y = hn::MulAdd(weight, hn::Set(d, static_cast<double>(p.y)), y);
+            z = hn::MulAdd(weight, hn::Set(d, static_cast<double>(p.z)), z);
         }
         const auto scale = hn::Set(d, 1 / 36.0);
-        hn::Store(hn::DemoteTo(df, hn::Mul(x, scale)), df, bezier[0] + lane);
-        hn::Store(hn::DemoteTo(df, hn::Mul(y, scale)), df, bezier[1] + lane);
-        hn::Store(hn::DemoteTo(df, hn::Mul(z, scale)), df, bezier[2] + lane);
+        hn::Store(hn::DemoteTo(df, hn::Mul(x, scale)), df, coordinates[0] + lane);
+        hn::Store(hn::DemoteTo(df, hn::Mul(y, scale)), df, coordinates[1] + lane);
+        hn::Store(hn::DemoteTo(df, hn::Mul(z, scale)), df, coordinates[2] + lane);
     }
     const hn::CappedTag<float, 16> rows;
     for (int row = 0; row < 4; ++row) {
         for (size_t lane = 0; lane < 16; lane += hn::Lanes(rows)) {
-            hn::Store(LoadFours(rows, bezier[lane / 4] + 4 * row, 16), rows,
-                      patch->rows[row] + lane);
+            hn::Store(LoadFours(rows, coordinates[lane / 4] + 4 * row, 16), rows,
+                      bezier->rows[row] + lane);
         }
     }
-}
-
-/// Gathers the Bezier form of a regular patch: to the bit the same on both sides of an edge between
-/// two of them, be it a crease.
-/// @param points  of the patch table
-HWY_INLINE void GatherRegular(const PatchTable& patches, uint32_t patch, const Vec3f* points,
-                              BezierRows* bezier) {
-    const uint32_t* const indices = patches.Indices(patch);
-    if (!patches.At(patch).isExtrapolated) {
-        ConvertBSpline([&](int i) -> const Vec3f& { return points[indices[i]]; }, bezier);
-        return;
-    }
-    std::array<double, 3> exact[16];
-    for (int i = 0; i < 16; ++i) {
-        exact[i] = patches.ExactPoint(points, indices[i]);
-    }
-    ConvertBSpline([&](int i) -> const std::array<double, 3>& { return exact[i]; }, bezier);
 }
 
 using RowTag = hn::CappedTag<float, 16>;

@@ -75,7 +75,7 @@ TEST(LimitGrid, RegularPatchesHaveTheSameBordersToTheBit) {
         for (uint32_t patch = 0; patch < surface.Patches().Count(); ++patch) {
             if (surface.Patches().At(patch).kind == PatchKind::Regular) {
                 AddBorders(surface, patch, &borders);
-                creased += surface.Patches().At(patch).isExtrapolated;
+                creased += surface.Patches().At(patch).extrapolatedSides != 0;
             }
         }
         for (const auto& [edge, sides] : borders) {
