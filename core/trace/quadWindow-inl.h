@@ -210,6 +210,10 @@ class QuadWindow {
         const float t = height * _ray.shear[2] * inverse;
         const int row = _row + static_cast<int>(quad) / kColumns;
         const int column = _column + static_cast<int>(quad) % kColumns;
+        // A window may be larger than its grid: the points there are copies, near enough for slack.
+        if (row >= _side || column >= _side) {
+            return;
+        }
         const int triangle = 2 * (row * _side + column) + static_cast<int>(isUpper);
         // Not so for a triangle without area, too: t is not a number then.
         const bool isNearer = t < best->t || (t == best->t && triangle > best->triangle);

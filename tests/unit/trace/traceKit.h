@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <memory>
 #include <random>
 #include <string>
@@ -49,6 +50,27 @@ inline RayPacket CameraPacket(const Box3f& box, const Vec3f& from, float width,
         rays.directionX[i] = d.x;
         rays.directionY[i] = d.y;
         rays.directionZ[i] = d.z;
+        rays.tMin[i] = 0;
+        rays.tMax[i] = 1e30f;
+    }
+    return rays;
+}
+
+/// Rays from all sides through one point, that begin at a distance from it.
+inline RayPacket PacketThrough(const Vec3f& point, float distance) {
+    RayPacket rays;
+    rays.count = kPacketSize;
+    for (int i = 0; i < kPacketSize; ++i) {
+        const float height = 2 * (static_cast<float>(i) + 0.5f) / kPacketSize - 1;
+        const float angle = 2.4f * static_cast<float>(i), width = std::sqrt(1 - height * height);
+        const Vec3f direction{width * std::cos(angle), width * std::sin(angle), height};
+        const Vec3f origin = point - direction * distance;
+        rays.originX[i] = origin.x;
+        rays.originY[i] = origin.y;
+        rays.originZ[i] = origin.z;
+        rays.directionX[i] = direction.x;
+        rays.directionY[i] = direction.y;
+        rays.directionZ[i] = direction.z;
         rays.tMin[i] = 0;
         rays.tMax[i] = 1e30f;
     }

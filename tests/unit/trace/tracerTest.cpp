@@ -191,6 +191,30 @@ Cage CreasedIcosahedron() {
     return Named(cage, "creased icosahedron");
 }
 
+/// A grid of few quads fills its window with copies of its last points, which are nearer to a ray
+/// through its last corner than what rounding is allowed.
+TEST_P(TracerTest, HitsAtCornersAreOnTheirPatch) {
+    const TracedCage traced(GetParam());
+    const Surface& surface = *traced.surface;
+    const PatchTable& patches = surface.Patches();
+    TraceStatistics statistics;
+    for (uint32_t patch = 0; patch < patches.Count(); ++patch) {
+        const float last = patches.IsTriangle(patch) ? 0 : 1;
+        const LimitPoint corner =
+            EvaluateLimit(patches, patch, surface.PatchPoints().data(), 1, last);
+        RayPacket rays = PacketThrough(corner.position, traced.world.Bounds().Diagonal());
+        HitPacket hits;
+        MakeTracer(TracerKind::Packet, 0)->Intersect(traced.world, &rays, &hits, &statistics);
+        for (int i = 0; i < rays.count; ++i) {
+            if (hits.instance[i] == kNoHit) {
+                continue;
+            }
+            EXPECT_TRUE(hits.u[i] >= 0 && hits.u[i] <= 1 && hits.v[i] >= 0 && hits.v[i] <= 1)
+                << "patch " << hits.patch[i] << " at " << hits.u[i] << ", " << hits.v[i];
+        }
+    }
+}
+
 TEST(Tracer, NothingEscapesAClosedMesh) {
     const std::pair<TracerKind, int> tracers[] = {
         {TracerKind::Packet, 1},      {TracerKind::Packet, 3},     {TracerKind::Packet, 4},
