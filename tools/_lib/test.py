@@ -4,7 +4,7 @@ import argparse
 import sys
 import time
 
-from . import test_fuzz, test_lint, test_programs, test_python
+from . import test_lint, test_programs, test_python, test_sanitize
 from .console import CommandError, OneLineParser, error
 from .test_stage import Outcome, Settings, Stage
 
@@ -21,8 +21,8 @@ STAGES = (
     Stage("images", test_python.images, needs=("build",)),
     Stage("scenes", test_python.scenes, needs=("set-up",)),
     Stage("clang-tidy", test_lint.check_cpp, needs=("build",)),
-    Stage("sanitize", test_programs.run_sanitized_units, needs=("set-up",)),
-    Stage("fuzz", test_fuzz.fuzz, needs=("set-up",)),
+    Stage("sanitize", test_sanitize.units, needs=("set-up",)),
+    Stage("fuzz", test_sanitize.fuzz, needs=("set-up",)),
 )
 
 

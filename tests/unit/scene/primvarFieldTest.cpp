@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "core/subdiv/limitPoint.h"
+#include "tests/repeats.h"
 #include "tests/unit/render/renderTestKit.h"
 #include "tests/unit/subdiv/faceVaryingOracle.h"
 #include "tests/unit/subdiv/primvarOracle.h"
@@ -94,7 +95,7 @@ WorstDifference Compare(const Built& built, Oracle* oracle) {
     std::uniform_real_distribution<float> unit(0.05f, 0.95f);
     WorstDifference worst;
     for (uint32_t patch = 0; patch < built.Patches().Count(); ++patch) {
-        for (int sample = 0; sample < 3; ++sample) {
+        for (int sample = 0; sample < Repeats(3); ++sample) {
             const float u = unit(random);
             const float v = unit(random) * (built.Patches().IsTriangle(patch) ? 1 - u : 1);
             SurfaceValue expected;

@@ -9,6 +9,7 @@
 #include "core/subdiv/faceVaryingChannel.h"
 #include "core/subdiv/faceVaryingMesh.h"
 #include "core/subdiv/patchBuilder.h"
+#include "tests/repeats.h"
 #include "tests/unit/subdiv/cageKit.h"
 #include "tests/unit/subdiv/faceVaryingOracle.h"
 #include "tests/unit/subdiv/generatedCage.h"
@@ -82,7 +83,7 @@ std::vector<FaceParameter> Places(const PatchTable& patches) {
     std::uniform_real_distribution<float> unit(0.01f, 0.99f);
     std::vector<FaceParameter> places;
     for (uint32_t patch = 0; patch < patches.Count(); ++patch) {
-        for (int i = 0; i < 4; ++i) {
+        for (int i = 0; i < Repeats(4); ++i) {
             const float u = unit(random), v = unit(random);
             places.push_back(patches.ToFace(patch, u, patches.IsTriangle(patch) ? (1 - u) * v : v));
         }

@@ -5,9 +5,11 @@
 #include <cstdlib>
 #include <map>
 #include <sstream>
+#include <string>
 
 #include <rapidcheck.h>
 
+#include "tests/repeats.h"
 #include "tests/unit/subdiv/cageKit.h"
 
 namespace cc::test {
@@ -400,7 +402,8 @@ std::string ToCode(const Cage& cage) {
 
 void ExpectForGeneratedCages(const std::string& description,
                              const std::function<std::string(const Cage&)>& property) {
-    setenv("RC_PARAMS", "seed=20 max_success=50 max_size=30", 0);
+    const std::string count = std::to_string(Repeats(50));
+    setenv("RC_PARAMS", ("seed=20 max_size=30 max_success=" + count).c_str(), 0);
     EXPECT_TRUE(rc::check(description, [&property] {
         const CageRecipe recipe = *Recipes();
         const std::string failure = property(BuildCage(recipe));

@@ -10,6 +10,7 @@
 
 #include "core/subdiv/limitPoint.h"
 #include "core/trace/tracer.h"
+#include "tests/repeats.h"
 #include "tests/unit/subdiv/testCages.h"
 #include "tests/unit/trace/rayAnswer.h"
 #include "tests/unit/trace/traceKit.h"
@@ -20,7 +21,7 @@ namespace {
 /// How far apart hits of two targets may lie, in sizes of the scene.
 constexpr float kAgreement = 1e-6f;
 
-constexpr int kPacketCount = 6;
+constexpr int kPacketCount = 2 + Repeats(4);
 
 /// What all rays of a scene hit on one target, by one kind of tracer.
 struct Trace {

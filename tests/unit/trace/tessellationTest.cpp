@@ -8,6 +8,7 @@
 
 #include "core/subdiv/limitPoint.h"
 #include "core/trace/tracer.h"
+#include "tests/repeats.h"
 #include "tests/unit/subdiv/testCages.h"
 #include "tests/unit/trace/traceKit.h"
 
@@ -28,7 +29,9 @@ TEST_P(TessellationTest, PointsAreThoseOfTheLimitSurface) {
             const Tessellation::Grid& grid = tessellation.PatchGrid(patch);
             ASSERT_EQ(grid.side << patches.At(patch).depth, 1 << tessellation.Level());
             const float side = static_cast<float>(grid.side);
-            for (int i = 0; i < (grid.side + 1) * (grid.side + 1); ++i) {
+            const int count = (grid.side + 1) * (grid.side + 1);
+            for (int n = 0; n < Repeats(count); ++n) {
+                const int i = n * count / Repeats(count);
                 const int row = i / (grid.side + 1), column = i % (grid.side + 1);
                 if (column >= grid.RowSize(row)) {
                     continue;

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "core/subdiv/limitPoint.h"
+#include "tests/repeats.h"
 #include "tests/unit/subdiv/cageKit.h"
 #include "tests/unit/subdiv/testCages.h"
 #include "tests/unit/trace/traceKit.h"
@@ -101,7 +102,7 @@ TEST_P(TracerTest, SingleRaysAgreeWithPackets) {
     const std::unique_ptr<Tracer> single = MakeTracer(TracerKind::Single, 4);
     std::mt19937 random(5);
     TraceStatistics statistics;
-    for (int n = 0; n < 40; ++n) {
+    for (int n = 0; n < Repeats(40); ++n) {
         RayPacket rays = CameraPacket(traced.surface->Bounds(), {0.9f, -0.5f, 0.7f}, 0.3f, &random);
         rays.count = n % 3 == 0 ? 37 : kPacketSize;
         RayPacket again = rays;
@@ -127,7 +128,7 @@ TEST_P(TracerTest, SharingGridsChangesNoHit) {
         // Grids of one level are not those of another.
         grids.Clear();
         const std::unique_ptr<Tracer> tracer = MakeTracer(TracerKind::Packet, level);
-        for (int n = 0; n < 10; ++n) {
+        for (int n = 0; n < Repeats(10); ++n) {
             RayPacket rays =
                 CameraPacket(traced.surface->Bounds(), {0.9f, -0.5f, 0.7f}, 0.3f, &random);
             RayPacket again = rays;
@@ -165,7 +166,7 @@ TEST_P(TracerTest, HitsAfterAnEditAreThoseOfAFreshBuild) {
         const std::unique_ptr<Tracer> tracer = MakeTracer(TracerKind::Packet, 4);
         std::mt19937 random(7);
         TraceStatistics statistics;
-        for (int n = 0; n < 20; ++n) {
+        for (int n = 0; n < Repeats(20); ++n) {
             RayPacket rays =
                 CameraPacket(fresh.surface->Bounds(), {0.9f, -0.5f, 0.7f}, 0.3f, &random);
             RayPacket again = rays;
