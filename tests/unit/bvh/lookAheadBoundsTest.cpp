@@ -118,7 +118,7 @@ TEST_P(LookAheadBoundsTest, AreTheSameWithAndWithoutPlans) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Catalogue, LookAheadBoundsTest, testing::ValuesIn(Catalogue()), TestName);
+INSTANTIATE_TEST_SUITE_P(Catalogue, LookAheadBoundsTest, testing::ValuesIn(AllCages()), TestName);
 
 /// Regular patches are bounded many at a time: none may take another's box.
 TEST(LookAheadBounds, DependOnTheirPatchAlone) {

@@ -72,7 +72,7 @@ TEST_P(LimitGridPlanTest, GivesThePointsOfTheLimitSurface) {
     ExpectPointsOfTheLimitSurface(BuiltCage(GetParam()));
 }
 
-INSTANTIATE_TEST_SUITE_P(Catalogue, LimitGridPlanTest, testing::ValuesIn(Catalogue()), TestName);
+INSTANTIATE_TEST_SUITE_P(Catalogue, LimitGridPlanTest, testing::ValuesIn(AllCages()), TestName);
 
 TEST(LimitGridPlans, ShareThePlansOfEqualRings) {
     // All faces around the vertex look alike.

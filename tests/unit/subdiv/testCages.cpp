@@ -142,4 +142,12 @@ std::vector<Cage> Catalogue() {
     return cages;
 }
 
+std::vector<Cage> AllCages() {
+    std::vector<Cage> cages = Catalogue();
+    for (const Cage& cage : KnownDifferences()) {
+        cages.push_back(cage);
+    }
+    return cages;
+}
+
 }  // namespace cc::test

@@ -52,4 +52,7 @@ std::vector<Cage> Catalogue();
 /// Cages on which Bfr contradicts Far, each with the reason.
 std::vector<Cage> KnownDifferences();
 
+/// Both, for tests that do not need Bfr.
+std::vector<Cage> AllCages();
+
 }  // namespace cc::test

@@ -124,7 +124,7 @@ TEST_P(SimdTargetsTest, HitTheSame) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Catalogue, SimdTargetsTest, testing::ValuesIn(Catalogue()), TestName);
+INSTANTIATE_TEST_SUITE_P(Catalogue, SimdTargetsTest, testing::ValuesIn(AllCages()), TestName);
 
 TEST(SimdTargets, AreAllOfThisMachine) {
     const std::vector<std::string> names = SimdTargets();

@@ -128,7 +128,7 @@ TEST_P(TracerAgreementTest, TextureCoordinatesAreThoseOfTheHit) {
     EXPECT_GT(hitCount, 20);
 }
 
-INSTANTIATE_TEST_SUITE_P(Catalogue, TracerAgreementTest, testing::ValuesIn(Catalogue()), TestName);
+INSTANTIATE_TEST_SUITE_P(Catalogue, TracerAgreementTest, testing::ValuesIn(AllCages()), TestName);
 
 }  // namespace
 }  // namespace cc::test

@@ -222,7 +222,7 @@ TEST_P(VisibilityTest, HolesAreNotHit) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Catalogue, VisibilityTest, testing::ValuesIn(Catalogue()), TestName);
+INSTANTIATE_TEST_SUITE_P(Catalogue, VisibilityTest, testing::ValuesIn(AllCages()), TestName);
 
 }  // namespace
 }  // namespace cc::test

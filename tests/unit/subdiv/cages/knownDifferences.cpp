@@ -34,6 +34,18 @@ Cage ChaikinCreaseBySteps() {
     return cage;
 }
 
+/// Two creases that look alike up to their third vertices: only what follows on the fourth tells
+/// whether they stay sharp there.
+Cage ChaikinCreasesThatDifferAhead() {
+    Cage cage = Named(Torus(6, 7), "Chaikin creases that differ ahead");
+    AddCrease(&cage, {0, 1, 2, 3}, 1.1f);
+    AddCrease(&cage, {3, 4, 5, 6, 0}, 0.4f);
+    AddCrease(&cage, {21, 22, 23, 24}, 1.1f);
+    AddCrease(&cage, {24, 25, 26, 27, 21}, 2.8f);
+    cage.mesh.creaseRule = CreaseRule::Chaikin;
+    return cage;
+}
+
 Cage ChaikinCreaseThroughValence5() {
     Cage cage = Named(Fan(5), "fan, Chaikin crease by edge");
     cage.mesh.creaseIndices = {11, 1, 0, 5, 15};
@@ -91,6 +103,7 @@ std::vector<Cage> KnownDifferences() {
     return {ThreeChaikinCreases(),
             UnevenChaikinCrease(),
             ChaikinCreaseBySteps(),
+            ChaikinCreasesThatDifferAhead(),
             ChaikinCreaseThroughValence5(),
             TetrahedronWithFin(),
             CreaseWithTubes(),
