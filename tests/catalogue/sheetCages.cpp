@@ -9,11 +9,6 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-Cage WithScheme(Cage cage, Scheme scheme, const std::string& name) {
-    cage.mesh.scheme = scheme;
-    return Named(std::move(cage), name);
-}
-
 /// Finds cages of the catalogue by name.
 class CageFinder {
   public:

@@ -28,6 +28,11 @@ Cage Named(Cage cage, const std::string& name) {
     return cage;
 }
 
+Cage WithScheme(Cage cage, Scheme scheme, const std::string& name) {
+    cage.mesh.scheme = scheme;
+    return Named(std::move(cage), name);
+}
+
 Cage WithBoundary(Cage cage, BoundaryRule rule, const std::string& name) {
     cage.mesh.boundaryRule = rule;
     return Named(std::move(cage), name);

@@ -16,6 +16,7 @@ void AddCorner(Cage* cage, int vertex, float sharpness);
 // A cage with one thing changed and another name.
 
 Cage Named(Cage cage, const std::string& name);
+Cage WithScheme(Cage cage, Scheme scheme, const std::string& name);
 Cage WithBoundary(Cage cage, BoundaryRule rule, const std::string& name);
 Cage WithCrease(Cage cage, const std::vector<int>& vertices, float sharpness,
                 const std::string& name);

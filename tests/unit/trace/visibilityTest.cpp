@@ -1,4 +1,5 @@
-// What the oracle says is there is what rays hit, and where it has a hole they hit nothing.
+// What the oracle says is there is what rays hit, and where it has a hole they hit nothing; under
+// every scheme.
 
 #include <algorithm>
 #include <array>
@@ -11,7 +12,9 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/unit/subdiv/cageKit.h"
 #include "tests/unit/subdiv/limitOracle.h"
+#include "tests/unit/subdiv/polygonOracle.h"
 #include "tests/unit/subdiv/testCages.h"
 #include "tests/unit/trace/rayAnswer.h"
 #include "tests/unit/trace/traceKit.h"
@@ -35,8 +38,24 @@ struct Target {
     float bound;
 };
 
-/// The parts of a face that have parameters of their own: its sub-quads, if it is no quad.
+/// The surface of a cage as it would be without holes.
+std::unique_ptr<LimitOracle> OracleOf(const Cage& cage) {
+    ControlMesh mesh = cage.mesh;
+    mesh.holeIndices.clear();
+    return mesh.scheme == Scheme::None ? MakePolygonOracle(mesh, cage.points)
+                                       : MakeFarOracle(mesh, cage.points, cage.points);
+}
+
+/// The parts of a face that have parameters of their own: the triangles of a polygon, and the
+/// sub-quads of what is no quad.
 std::vector<FaceParameter> PartsOf(const ControlMesh& mesh, uint32_t face, const int* vertices) {
+    std::vector<FaceParameter> parts;
+    if (mesh.scheme == Scheme::None) {
+        for (int triangle = 0; triangle < mesh.faceVertexCounts[face] - 2; ++triangle) {
+            parts.push_back({face, static_cast<uint32_t>(triangle), 0, 0, true});
+        }
+        return parts;
+    }
     const std::vector<int> kept = KeptCorners(vertices, mesh.faceVertexCounts[face]);
     if (mesh.scheme == Scheme::Loop) {
         return {{face, 0, 0, 0, true}};
@@ -44,7 +63,6 @@ std::vector<FaceParameter> PartsOf(const ControlMesh& mesh, uint32_t face, const
     if (kept.size() == 4) {
         return {{face, 0, 0, 0}};
     }
-    std::vector<FaceParameter> parts;
     for (const int corner : kept) {
         parts.push_back({face, static_cast<uint32_t>(corner), 0, 0});
     }
@@ -56,7 +74,8 @@ std::vector<FaceParameter> PartsOf(const ControlMesh& mesh, uint32_t face, const
 bool FindBound(LimitOracle* oracle, const FaceParameter& at, const Vec3f& position, int cells,
                float* bound) {
     const auto side = static_cast<float>(cells);
-    const float column = std::floor(at.u * side), row = std::floor(at.v * side);
+    const auto cellOf = [side](float x) { return std::min(std::floor(x * side), side - 1); };
+    const float column = cellOf(at.u), row = cellOf(at.v);
     // In a triangle, every other cell is turned by half a turn, and has no other diagonal.
     const float u = at.u * side - column, v = at.v * side - row;
     std::array<Vec3f, 4> corners;
@@ -109,11 +128,10 @@ void AddTargets(LimitOracle* oracle, FaceParameter part, bool isWhole, int count
     }
 }
 
-/// Places all over a cage's surface as it would be without holes.
-std::vector<Target> TargetsOf(const Cage& cage) {
-    ControlMesh mesh = cage.mesh;
-    mesh.holeIndices.clear();
-    const std::unique_ptr<LimitOracle> oracle = MakeFarOracle(mesh, cage.points, cage.points);
+/// Places all over a cage's surface.
+/// @param oracle  OracleOf the cage
+std::vector<Target> TargetsOf(const Cage& cage, LimitOracle* oracle) {
+    const ControlMesh& mesh = cage.mesh;
     std::mt19937 random(17);
     std::vector<Target> targets;
     const int* vertices = mesh.faceVertexIndices.data();
@@ -121,8 +139,8 @@ std::vector<Target> TargetsOf(const Cage& cage) {
         if (oracle->HasFace(face)) {
             const std::vector<FaceParameter> parts = PartsOf(mesh, face, vertices);
             for (const FaceParameter& part : parts) {
-                AddTargets(oracle.get(), part, parts.size() == 1, parts.size() == 1 ? 4 : 2,
-                           &random, &targets);
+                AddTargets(oracle, part, parts.size() == 1, parts.size() == 1 ? 4 : 2, &random,
+                           &targets);
             }
         }
         vertices += mesh.faceVertexCounts[face];
@@ -172,11 +190,26 @@ std::vector<std::set<uint32_t>> VisibleTwins(const ControlMesh& mesh) {
     return twins;
 }
 
+/// A hit is no further from the surface at its own parameters than the level's triangles are there.
+void ExpectOnSurface(const Surface& surface, LimitOracle* oracle, const RayPacket& rays,
+                     const HitPacket& hits, int i) {
+    const PatchTable& patches = surface.Patches();
+    const FaceParameter at = patches.ToFace(hits.patch[i], hits.u[i], hits.v[i]);
+    const LimitOracle::Sample sample = oracle->Evaluate(at);
+    const int cells = 1 << (kLevel - patches.At(hits.patch[i]).isSubQuad);
+    float bound = 0;
+    ASSERT_TRUE(sample.exists && FindBound(oracle, at, sample.position, cells, &bound));
+    EXPECT_LE(Length(PointOf(rays, i) - sample.position),
+              bound + kRounding * surface.Bounds().Diagonal())
+        << "face " << at.face << "." << at.corner << " (" << at.u << ", " << at.v << ")";
+}
+
 /// Traces rays at all places of a cage's surface, and expects those at holes to hit nothing and all
-/// others the face that they are aimed at.
+/// others the face that they are aimed at, on its surface.
 void ExpectJustWhatIsVisible(const Cage& cage) {
     const TracedCage traced(cage);
-    const std::vector<Target> targets = TargetsOf(cage);
+    const std::unique_ptr<LimitOracle> oracle = OracleOf(cage);
+    const std::vector<Target> targets = TargetsOf(cage, oracle.get());
     const std::vector<std::set<uint32_t>> twins = VisibleTwins(cage.mesh);
     EXPECT_FALSE(targets.empty());
     TraceStatistics statistics;
@@ -195,6 +228,9 @@ void ExpectJustWhatIsVisible(const Cage& cage) {
                                              : expected.count(answer.face) != 0)
                     << (kind == TracerKind::Packet ? "packet" : "single") << " hits face "
                     << int(answer.face) << " at face " << targets[first + i].face;
+                if (answer.instance != kNoHit) {
+                    ExpectOnSurface(*traced.surface, oracle.get(), rays, hits, i);
+                }
             }
         }
     }
@@ -223,6 +259,48 @@ TEST_P(VisibilityTest, HolesAreNotHit) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Catalogue, VisibilityTest, testing::ValuesIn(AllCages()), TestName);
+
+/// A star of concave corners, and a square with a square hole, which a bridge that is walked twice
+/// leads to; beside each other, and not quite flat.
+Cage ConcavePolygons() {
+    Cage cage = FromFaces(
+        "",
+        {{0, 1, 2, 3, 4, 5, 6, 7, 8, 9}, {10, 11, 12, 13, 10, 14, 15, 16, 17, 14}, {11, 18, 12}});
+    cage.points.clear();
+    for (int i = 0; i < 10; ++i) {
+        const float angle = 0.62831853f * static_cast<float>(i), radius = i % 2 == 0 ? 1.0f : 0.3f;
+        cage.points.push_back({radius * std::cos(angle), radius * std::sin(angle), 0.01f * angle});
+    }
+    cage.points.insert(cage.points.end(), {{2, -2, 0},
+                                           {6, -2, 0.1f},
+                                           {6, 2, 0},
+                                           {2, 2, 0.1f},
+                                           {3, -1, 0},
+                                           {3, 1, 0.1f},
+                                           {5, 1, 0},
+                                           {5, -1, 0.1f},
+                                           {7, 0, 1}});
+    return cage;
+}
+
+/// Cages whose faces are not smoothed, of every shape; where they have tags, those mean nothing.
+std::vector<Cage> UnsmoothedCages() {
+    std::vector<Cage> cages{WithScheme(ConcavePolygons(), Scheme::None, "concave polygons")};
+    for (const auto& theme :
+         {ShapeCages(), BoundaryCages(), NonManifoldCages(), CombinedCages(), LoopShapeCages()}) {
+        for (const Cage& cage : theme) {
+            cages.push_back(WithScheme(cage, Scheme::Bilinear, "bilinear " + cage.name));
+            // Faces on the same vertices may be cut along other diagonals.
+            if (!HasCoincidentFaces(cage)) {
+                cages.push_back(WithScheme(cage, Scheme::None, "polygons of " + cage.name));
+            }
+        }
+    }
+    return cages;
+}
+
+INSTANTIATE_TEST_SUITE_P(Unsmoothed, VisibilityTest, testing::ValuesIn(UnsmoothedCages()),
+                         TestName);
 
 }  // namespace
 }  // namespace cc::test
