@@ -113,7 +113,40 @@ LimitPoint EvaluateTurned(const ExtraordinaryPatch& patch, int corner, float u, 
     }
 }
 
-/// Evaluates a patch if it is a B-spline or has one extraordinary vertex. Returns false otherwise.
+bool IsCorner(float u, float v) { return (u == 0 || u == 1) && (v == 0 || v == 1); }
+
+int NearestCorner(float u, float v) { return v < 0.5f ? (u < 0.5f ? 0 : 1) : (u < 0.5f ? 3 : 2); }
+
+/// Evaluates a corner by its masks. Returns false if they are not known, or if derivatives are: a
+/// regular corner has them.
+bool EvaluateByMasks(const IrregularPatch& patch, int corner, LimitPoint* point) {
+    const VertexRing& ring = patch.rings[corner];
+    Vec3f towardsNext, towardsPrevious;
+    if (ring.IsRegular() ||
+        !ring.LimitTangents(patch.faces[corner], &towardsNext, &towardsPrevious)) {
+        return false;
+    }
+    point->position = ring.LimitPosition();
+    point->normal = Normalize(Cross(towardsNext, towardsPrevious));
+    const bool isTurned = corner % 2 != 0;
+    point->du = isTurned ? towardsPrevious : towardsNext;
+    point->dv = isTurned ? towardsNext : towardsPrevious;
+    // Towards the corner's neighbours is along u or v, or against them.
+    point->du *= corner == 1 || corner == 2 ? -1.0f : 1.0f;
+    point->dv *= corner >= 2 ? -1.0f : 1.0f;
+    return true;
+}
+
+/// A patch so small that it is flat.
+LimitPoint EvaluateTiny(const IrregularPatch& patch, int corner) {
+    Vec3f corners[4];
+    patch.LimitCorners(corners);
+    return EvaluateBezier(BezierPatch::FromBilinear(corners), corner == 1 || corner == 2 ? 1 : 0,
+                          corner >= 2 ? 1 : 0);
+}
+
+/// Evaluates a patch if it is a B-spline or has one extraordinary vertex, or at a corner whose
+/// masks are known. Returns false otherwise.
 bool EvaluateIfSimple(const IrregularPatch& patch, float u, float v, LimitPoint* point) {
     Vec3f bspline[16];
     if (patch.ToBSpline(bspline)) {
@@ -127,34 +160,13 @@ bool EvaluateIfSimple(const IrregularPatch& patch, float u, float v, LimitPoint*
         *point = EvaluateTurned(turned, corner, u, v);
         return true;
     }
-    return false;
-}
-
-/// The surface at a corner of a patch that no halving makes simple.
-LimitPoint EvaluateCorner(const IrregularPatch& patch, int corner) {
-    const float u = corner == 1 || corner == 2 ? 1 : 0, v = corner >= 2 ? 1 : 0;
-    Vec3f corners[4];
-    patch.LimitCorners(corners);
-    Vec3f towardsNext, towardsPrevious;
-    if (!patch.rings[corner].LimitTangents(patch.faces[corner], &towardsNext, &towardsPrevious)) {
-        return EvaluateBezier(BezierPatch::FromBilinear(corners), u, v);
-    }
-    LimitPoint point;
-    point.position = corners[corner];
-    point.normal = Normalize(Cross(towardsNext, towardsPrevious));
-    const bool isTurned = corner % 2 != 0;
-    point.du = isTurned ? towardsPrevious : towardsNext;
-    point.dv = isTurned ? towardsNext : towardsPrevious;
-    // Towards the corner's neighbours is along u or v, or against them.
-    point.du *= u > 0 ? -1.0f : 1.0f;
-    point.dv *= v > 0 ? -1.0f : 1.0f;
-    return point;
+    return IsCorner(u, v) && EvaluateByMasks(patch, NearestCorner(u, v), point);
 }
 
 /// Subdivides towards (u, v) until the surface there is simple, or so small that it is flat.
 LimitPoint EvaluateIrregular(const IrregularPatch& patch, float u, float v) {
     // About the nearest corner, so that small parts near it keep their relative precision.
-    const int nearest = v < 0.5f ? (u < 0.5f ? 0 : 1) : (u < 0.5f ? 3 : 2);
+    const int nearest = NearestCorner(u, v);
     const Vec3f origin = patch.rings[nearest].LimitPosition();
     IrregularPatch local = patch;
     local.Translate(-origin);
@@ -174,8 +186,8 @@ LimitPoint EvaluateIrregular(const IrregularPatch& patch, float u, float v) {
         local = quarters[isHighV ? (isHighU ? 2 : 3) : (isHighU ? 1 : 0)];
         isDone = EvaluateIfSimple(local, u, v, &point);
     }
-    if (!isDone) {
-        point = EvaluateCorner(local, nearest);
+    if (!isDone && !EvaluateByMasks(local, nearest, &point)) {
+        point = EvaluateTiny(local, nearest);
     }
     point.position += origin;
     point.du *= scale;

@@ -4,6 +4,7 @@
 
 #include "core/math/inlineVector.h"
 #include "core/math/vec.h"
+#include "core/subdiv/cornerTangents.h"
 #include "core/subdiv/ringTags.h"
 
 namespace cc {
@@ -11,7 +12,7 @@ namespace cc {
 /// A ring with its points, and what rules of a corner, a crease and a dart are the same in every
 /// scheme.
 /// @tparam Ring  derives from this, and befriends it. It has Subdivide and Translate, and for its
-///     scheme _SmoothLimit, _SmoothTangent, _TangentAcrossCrease and _CornerTangents.
+///     scheme _SmoothLimit, _SmoothTangent, _TangentAcrossCrease and _Diagonals.
 template <typename Ring>
 struct PointRing : RingTags {
     Vec3f center;
@@ -23,7 +24,7 @@ struct PointRing : RingTags {
     /// Tangents of the surface at the settled vertex, of arbitrary length, towards the two edges of
     /// a face; their cross product points along the outward normal. Returns false if no mask is
     /// known: at a dart, on a crease that the ring does not have whole, where a smooth boundary has
-    /// a single face, or in some corners (Ring::_CornerTangents).
+    /// a single face, or in some corners (CornerTangents).
     bool LimitTangents(int face, Vec3f* towardsEdge, Vec3f* towardsNextEdge) const;
 
   protected:
@@ -47,6 +48,7 @@ struct PointRing : RingTags {
         return edges[ends[0]] + edges[ends[1]];
     }
     Vec3f _DartLimit() const;
+    bool _CornerTangents(int face, Vec3f* towardsEdge, Vec3f* towardsNextEdge) const;
 };
 
 template <typename Ring>
@@ -81,7 +83,7 @@ bool PointRing<Ring>::LimitTangents(int face, Vec3f* towardsEdge, Vec3f* towards
         return false;
     }
     if (rule == Rule::Corner) {
-        return _Self()._CornerTangents(face, towardsEdge, towardsNextEdge);
+        return _CornerTangents(face, towardsEdge, towardsNextEdge);
     }
     if (rule == Rule::Smooth) {
         *towardsEdge = _Self()._SmoothTangent(face);
@@ -96,6 +98,30 @@ bool PointRing<Ring>::LimitTangents(int face, Vec3f* towardsEdge, Vec3f* towards
                        across * static_cast<float>(std::sin(angle));
     }
     return true;
+}
+
+/// A closed ring that has a sharp edge is open, from that edge around to it again.
+template <typename Ring>
+bool PointRing<Ring>::_CornerTangents(int face, Vec3f* towardsEdge, Vec3f* towardsNextEdge) const {
+    int first = 0;
+    bool isCut = !isClosed;
+    for (int j = 0; j < FaceCount() && isClosed; ++j) {
+        if (edgeSharpness[j] > 0) {
+            first = j;
+            isCut = true;
+        }
+    }
+    SharpCorner corner;
+    corner.isClosed = !isCut;
+    for (int j = 0; j < FaceCount() + (isCut ? 1 : 0); ++j) {
+        corner.edges.push_back(edges[Wrap(first + j)] - center);
+    }
+    const Vec3f* const diagonals = _Self()._Diagonals();
+    for (int j = 0; j < FaceCount() && diagonals != nullptr; ++j) {
+        corner.diagonals.push_back(diagonals[Wrap(first + j)] - center);
+    }
+    const int fromFirst = face >= first ? face - first : face - first + FaceCount();
+    return CornerTangents(corner, fromFirst, towardsEdge, towardsNextEdge);
 }
 
 }  // namespace cc

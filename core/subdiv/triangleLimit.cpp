@@ -36,17 +36,11 @@ LimitPoint EvaluateBezier(const BezierTriangle& patch, float u, float v) {
     return point;
 }
 
-/// The surface at a corner of a triangle that no halving makes regular. Its tangents are masks
-/// where those are known, else sides of the triangle, which is tiny then.
-LimitPoint EvaluateCorner(const IrregularTriangle& patch, int corner) {
+/// @param corner  of the triangle, which the tangents are at
+LimitPoint WithTangents(const Vec3f& position, int corner, const Vec3f& towardsNext,
+                        const Vec3f& towardsPrevious) {
     LimitPoint point;
-    Vec3f corners[3], towardsNext, towardsPrevious;
-    patch.LimitCorners(corners);
-    if (!patch.rings[corner].LimitTangents(patch.faces[corner], &towardsNext, &towardsPrevious)) {
-        towardsNext = corners[(corner + 1) % 3] - corners[corner];
-        towardsPrevious = corners[(corner + 2) % 3] - corners[corner];
-    }
-    point.position = corners[corner];
+    point.position = position;
     point.normal = NormalOver(towardsNext, towardsPrevious);
     // Towards the next corner is along u at the first, along v - u at the second, against v at the
     // third.
@@ -56,6 +50,27 @@ LimitPoint EvaluateCorner(const IrregularTriangle& patch, int corner) {
         default: point.du = towardsPrevious - towardsNext, point.dv = -towardsNext; break;
     }
     return point;
+}
+
+/// Evaluates a corner by its masks. Returns false if they are not known, or if derivatives are: a
+/// regular corner has them.
+bool EvaluateByMasks(const IrregularTriangle& patch, int corner, LimitPoint* point) {
+    const TriangleRing& ring = patch.rings[corner];
+    Vec3f towardsNext, towardsPrevious;
+    if (ring.IsRegular() ||
+        !ring.LimitTangents(patch.faces[corner], &towardsNext, &towardsPrevious)) {
+        return false;
+    }
+    *point = WithTangents(ring.LimitPosition(), corner, towardsNext, towardsPrevious);
+    return true;
+}
+
+/// A triangle so small that it is flat.
+LimitPoint EvaluateTiny(const IrregularTriangle& patch, int corner) {
+    Vec3f corners[3];
+    patch.LimitCorners(corners);
+    return WithTangents(corners[corner], corner, corners[(corner + 1) % 3] - corners[corner],
+                        corners[(corner + 2) % 3] - corners[corner]);
 }
 
 bool IsCorner(float u, float v) { return (u == 0 || u == 1) && (v == 0 || v == 1); }
@@ -73,14 +88,7 @@ bool EvaluateIfSimple(const IrregularTriangle& patch, float u, float v, LimitPoi
         *point = EvaluateBezier(BezierTriangle::FromBoxSpline(spline), u, v);
         return true;
     }
-    const int nearest = NearestCorner(u, v);
-    const TriangleRing& ring = patch.rings[nearest];
-    Vec3f unused[2];
-    if (IsCorner(u, v) && ring.LimitTangents(patch.faces[nearest], &unused[0], &unused[1])) {
-        *point = EvaluateCorner(patch, nearest);
-        return true;
-    }
-    return false;
+    return IsCorner(u, v) && EvaluateByMasks(patch, NearestCorner(u, v), point);
 }
 
 /// Which part of a split a point of the parameters lies in, at a corner in that corner's.
@@ -107,8 +115,9 @@ LimitPoint EvaluateIrregular(const IrregularTriangle& patch, float u, float v) {
         local = parts[i];
         isDone = EvaluateIfSimple(local, u, v, &point);
     }
-    if (!isDone) {
-        point = EvaluateCorner(local, NearestCorner(u, v));
+    const int last = NearestCorner(u, v);
+    if (!isDone && !EvaluateByMasks(local, last, &point)) {
+        point = EvaluateTiny(local, last);
     }
     point.position += origin;
     point.du *= scale;

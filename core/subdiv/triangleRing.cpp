@@ -3,8 +3,6 @@
 #include <cassert>
 #include <cmath>
 
-#include "core/subdiv/loopCorner.h"
-
 namespace cc {
 namespace {
 
@@ -91,25 +89,6 @@ Vec3f TriangleRing::_SmoothTangent(int towardsEdge) const {
         sum += edges[j] * static_cast<float>(std::cos(angle));
     }
     return sum;
-}
-
-/// Those of LoopCornerTangents. A closed ring that has a sharp edge is open, from that edge around
-/// to it again.
-bool TriangleRing::_CornerTangents(int face, Vec3f* towardsEdge, Vec3f* towardsNextEdge) const {
-    int first = 0;
-    bool isCut = !isClosed;
-    for (int j = 0; j < FaceCount() && isClosed; ++j) {
-        if (edgeSharpness[j] > 0) {
-            first = j;
-            isCut = true;
-        }
-    }
-    CornerEdges fromCorner;
-    for (int j = 0; j < FaceCount() + (isCut ? 1 : 0); ++j) {
-        fromCorner.push_back(edges[Wrap(first + j)] - center);
-    }
-    const int fromFirst = face >= first ? face - first : face - first + FaceCount();
-    return LoopCornerTangents(fromCorner, !isCut, fromFirst, towardsEdge, towardsNextEdge);
 }
 
 /// The left eigenvector of the subdivision matrix whose eigenvalue is 3/8 + cos(pi/n)/4: the weight

@@ -26,13 +26,13 @@ struct TriangleRing : PointRing<TriangleRing> {
   private:
     friend PointRing;
 
+    static const Vec3f* _Diagonals() { return nullptr; }
     Vec3f _EdgePoint(int edge, float sharpness) const;
     Vec3f _VertexPoint(const RingTags& tags) const;
     Vec3f _EdgeSum() const;
     Vec3f _SmoothLimit() const;
     Vec3f _SmoothTangent(int towardsEdge) const;
     Vec3f _TangentAcrossCrease() const;
-    bool _CornerTangents(int face, Vec3f* towardsEdge, Vec3f* towardsNextEdge) const;
 };
 
 /// @param values  one value a patch point

@@ -56,14 +56,6 @@ Vec3f VertexRing::_SmoothLimit() const {
     return (center * (n * n) + edgeSum * 4 + diagonalSum) * (1 / (n * (n + 5)));
 }
 
-/// Where the surface has a kink in the face's side, as in a corner of several faces, the face's own
-/// edges stand for its tangents, as OpenSubdiv has it.
-bool VertexRing::_CornerTangents(int face, Vec3f* towardsEdge, Vec3f* towardsNextEdge) const {
-    *towardsEdge = edges[face] - center;
-    *towardsNextEdge = edges[Wrap(face + 1)] - center;
-    return true;
-}
-
 /// The mask of Halstead et al. 1993.
 Vec3f VertexRing::_SmoothTangent(int towardsEdge) const {
     const double angle = 2 * kPi / FaceCount();
@@ -79,17 +71,21 @@ Vec3f VertexRing::_SmoothTangent(int towardsEdge) const {
     return tangent;
 }
 
-/// The mask of Biermann et al. 2000 for the tangent that leaves a crease.
+/// The left eigenvector of the subdivision matrix whose eigenvalue is 1/4 + edge cos(pi/2n)/8: edge
+/// j in between weighs `edge` times sin(pi j/n), diagonal j sin(pi (j + 1/2)/n), and what the
+/// centre and the ends weigh follows from that. (The mask of Biermann et al. 2000 is that of other
+/// rules, the same for two faces only.)
 Vec3f VertexRing::_TangentAcrossCrease() const {
-    const double angle = kPi / FaceCount(), cosine = std::cos(angle);
-    const double r = (cosine + 1) / std::sin(angle);
-    Vec3f sum = center * static_cast<float>(4 * r * (cosine - 1)) +
-                (edges.front() + edges.back()) * static_cast<float>(-r * (1 + 2 * cosine));
+    const double angle = kPi / FaceCount();
+    const double sine = std::sin(angle / 2), cosine = std::cos(angle / 2);
+    const double edge = cosine + std::sqrt(cosine * cosine + 4);
+    const double end = ((2 * sine * sine - 1) / (edge * cosine) - cosine * cosine) / sine;
+    Vec3f sum = center * static_cast<float>(-(edge * cosine + 1) / sine - 2 * end) +
+                (edges.front() + edges.back()) * static_cast<float>(end);
     for (int j = 0; j < FaceCount(); ++j) {
-        const double s0 = std::sin(angle * j), s1 = std::sin(angle * (j + 1));
-        sum += diagonals[j] * static_cast<float>(s0 + s1);
+        sum += diagonals[j] * static_cast<float>(std::sin(angle * (j + 0.5)));
         if (j > 0) {
-            sum += edges[j] * static_cast<float>(4 * s0);
+            sum += edges[j] * static_cast<float>(edge * std::sin(angle * j));
         }
     }
     return sum;

@@ -25,10 +25,10 @@ struct VertexRing : PointRing<VertexRing> {
   private:
     friend PointRing;
 
+    const Vec3f* _Diagonals() const { return diagonals.data(); }
     Vec3f _SmoothLimit() const;
     Vec3f _SmoothTangent(int towardsEdge) const;
     Vec3f _TangentAcrossCrease() const;
-    bool _CornerTangents(int face, Vec3f* towardsEdge, Vec3f* towardsNextEdge) const;
     Vec3f _EdgePoint(int edge, float sharpness, const Diagonals& facePoints) const;
     Vec3f _VertexPoint(const RingTags& tags, const Diagonals& facePoints) const;
 };

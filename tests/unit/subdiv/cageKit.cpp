@@ -54,6 +54,16 @@ Cage WithCorner(Cage cage, int vertex, float sharpness, const std::string& name)
     return Named(std::move(cage), name);
 }
 
+Cage Rough(Cage cage) {
+    for (size_t i = 0; i < cage.points.size(); ++i) {
+        const float x = static_cast<float>(i);
+        cage.points[i] +=
+            Vec3f{std::sin(12.9f * x), std::sin(78.2f * x + 1), std::sin(37.7f * x + 2)} * 0.4f;
+    }
+    cage.name = "rough " + cage.name;
+    return cage;
+}
+
 Cage Triangulated(const Cage& cage) {
     Cage result = cage;
     result.mesh.scheme = Scheme::Loop;

@@ -23,6 +23,10 @@ Cage WithCrease(Cage cage, const std::vector<int>& vertices, float sharpness,
 Cage WithCorner(Cage cage, int vertex, float sharpness, const std::string& name);
 Cage WithHoles(Cage cage, const std::vector<int>& holes, const std::string& name);
 
+/// A cage whose points are anywhere near where they were: what a limit is made of shows where
+/// nothing is alike.
+Cage Rough(Cage cage);
+
 /// A cage under the Loop scheme, with the same points and tags: its faces are cut into triangles,
 /// from their first corner on.
 Cage Triangulated(const Cage& cage);

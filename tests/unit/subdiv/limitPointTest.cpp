@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include "core/subdiv/irregularPatch.h"
+#include "core/subdiv/irregularTriangle.h"
 #include "core/subdiv/oneRing.h"
 #include "core/subdiv/patchBuilder.h"
+#include "tests/unit/subdiv/cageKit.h"
 #include "tests/unit/subdiv/limitOracle.h"
 #include "tests/unit/subdiv/surfaceComparison.h"
 #include "tests/unit/subdiv/testCages.h"
@@ -96,6 +99,53 @@ TEST(LimitPoint, IsContinuousIntoExtraordinaryVertices) {
     ExpectContinuousCorners(Fan(5), PatchKind::Irregular, 5);
     ExpectContinuousCorners(Fan(3), PatchKind::Irregular, 3);
     ExpectContinuousCorners(Cube(), PatchKind::Irregular, 6);
+}
+
+/// Calls check(patch, u, v) at the regular corners of patches that are not.
+template <typename Check>
+void ForEachRegularCorner(const PatchTable& patches, const std::vector<Vec3f>& points,
+                          const Check& check) {
+    for (uint32_t patch = 0; patch < patches.Count(); ++patch) {
+        if (patches.At(patch).kind == PatchKind::Irregular) {
+            const IrregularPatch irregular = GatherIrregular(patches, patch, points.data());
+            for (int corner = 0; corner < 4; ++corner) {
+                if (irregular.rings[corner].IsRegular()) {
+                    check(patch, corner == 1 || corner == 2 ? 1.0f : 0.0f,
+                          corner >= 2 ? 1.0f : 0.0f);
+                }
+            }
+        } else if (patches.At(patch).kind == PatchKind::IrregularTriangle) {
+            const IrregularTriangle irregular =
+                GatherIrregularTriangle(patches, patch, points.data());
+            for (int corner = 0; corner < 3; ++corner) {
+                if (irregular.rings[corner].IsRegular()) {
+                    check(patch, corner == 1 ? 1.0f : 0.0f, corner == 2 ? 1.0f : 0.0f);
+                }
+            }
+        }
+    }
+}
+
+/// Where the parameterization has derivatives, corners must not have mere tangents.
+TEST(LimitPoint, DerivativesRunOnIntoRegularCorners) {
+    Cage creased = WithCrease(Sheet(4), {6, 7, 8}, 1.5f, "creased sheet");
+    for (const Cage& cage : {creased, Triangulated(creased), TriangleFan(5), TriangleFan(9)}) {
+        std::string error;
+        const PatchTable patches = BuildPatchTable(cage.mesh, cage.points.size(), &error);
+        const std::vector<Vec3f> points = patches.PatchPoints(cage.points);
+        int count = 0;
+        ForEachRegularCorner(patches, points, [&](uint32_t patch, float u, float v) {
+            constexpr float kStep = 1e-3f;
+            const float inside = patches.IsTriangle(patch) ? 1 / 3.0f : 0.5f;
+            const LimitPoint at = EvaluateLimit(patches, patch, points.data(), u, v);
+            const LimitPoint near = EvaluateLimit(
+                patches, patch, points.data(), u + (inside - u) * kStep, v + (inside - v) * kStep);
+            EXPECT_LT(Length(at.du - near.du), 0.01f) << cage.name << " patch " << patch;
+            EXPECT_LT(Length(at.dv - near.dv), 0.01f) << cage.name << " patch " << patch;
+            ++count;
+        });
+        EXPECT_GT(count, 0) << cage.name;
+    }
 }
 
 }  // namespace

@@ -46,9 +46,8 @@ class Comparison {
             _oracle = MakeBfrOracle(cage.mesh, cage.points, values);
         } else {
             _oracle = MakeFarOracle(cage.mesh, cage.points, values);
-            for (int levels : {kOracleLevels - 1, kOracleLevels / 2}) {
-                _coarserOracles.push_back(MakeFarOracle(cage.mesh, cage.points, values, levels));
-            }
+            _coarserOracle = MakeFarOracle(cage.mesh, cage.points, values, kOracleLevels - 1);
+            _coarsestOracle = MakeFarOracle(cage.mesh, cage.points, values, kOracleLevels / 2);
         }
         Box3f box;
         for (int vertex : cage.mesh.faceVertexIndices) {
@@ -132,24 +131,30 @@ class Comparison {
         return !isCorner || _IsSettled(at, expected.normal);
     }
 
-    /// Where OpenSubdiv has no mask for a corner's tangents, its normal converges with the levels,
-    /// by the ratio of the two largest eigenvalues: in a sharp corner whose n faces close around it
-    /// those of rotations by 0 and by 2 pi / n, or 0.55 / 0.65 = 0.84 for 5 faces and 0.65 / 0.65 =
-    /// 0.99 for 20; and in the corners of Loop's scheme where two are equal, as one over the
-    /// levels. What is left in all is below 0.99 / (1 - 0.99) < 100 times what a level changes; two
-    /// coarser surfaces, since errors of two kinds may cancel out in one, and one of them by far,
-    /// since a normal may turn back.
+    /// Where OpenSubdiv has no exact mask for a corner's tangents, its normal converges with the
+    /// levels, by the ratio of the two largest eigenvalues: in a sharp corner whose n faces close
+    /// around it those of rotations by 0 and by 2 pi / n, or 0.55 / 0.65 = 0.84 for 5 faces and
+    /// 0.65 / 0.65 = 0.99 for 20; and in the corners of Loop's scheme where two are equal, as one
+    /// over the levels. What is left in all is below 0.99 / (1 - 0.99) < 100 times what a level
+    /// changes. A second, much coarser surface, since errors of two kinds may cancel out in one,
+    /// and a normal may turn back: it is as near, or so far that the ratio is below 0.6.
     bool _IsSettled(const FaceParameter& at, const Vec3f& fine) {
-        return std::all_of(_coarserOracles.begin(), _coarserOracles.end(), [&](auto& oracle) {
-            const Vec3f coarse = oracle->Evaluate(at).normal;
-            return coarse != Vec3f{} && Degrees(coarse, fine) < kNormalTolerance / 100;
-        });
+        const double near = _Change(at, fine, _coarserOracle.get());
+        const double far = _Change(at, fine, _coarsestOracle.get());
+        constexpr double kSettled = kNormalTolerance / 100;
+        return near < kSettled && (far < kSettled || 20 * near < far);
+    }
+
+    /// How far a coarser surface's normal is off, in degrees.
+    static double _Change(const FaceParameter& at, const Vec3f& fine, LimitOracle* oracle) {
+        const Vec3f coarse = oracle->Evaluate(at).normal;
+        return coarse == Vec3f{} ? 180 : Degrees(coarse, fine);
     }
 
     const OracleKind _kind;
     std::unique_ptr<LimitOracle> _oracle;
     /// For corners, where Bfr is not asked.
-    std::vector<std::unique_ptr<LimitOracle>> _coarserOracles;
+    std::unique_ptr<LimitOracle> _coarserOracle, _coarsestOracle;
     const PatchTable& _patches;
     const std::vector<Vec3f> _points;
     std::vector<Vec3f> _values;

@@ -73,6 +73,7 @@ std::vector<Cage> BoundaryCages() {
     addBothRules(TriangleSheet());
     for (int count : {2, 3, 4, 7}) {
         addBothRules(OpenFan(count));
+        addBothRules(Rough(OpenFan(count)));
     }
     addBothRules(Named(Fan(3), "open fan about valence 3"));
     cages.push_back(WithBoundary(Sheet(4), BoundaryRule::EdgeOnly, "sheet edgeOnly"));

@@ -103,6 +103,10 @@ std::vector<Cage> LoopShapeCages() {
     for (int valence : {3, 4, 5, 6, 7, 9, 12, 40}) {
         cages.push_back(TriangleFan(valence));
     }
+    for (const Cage& cage :
+         {TriangleFan(4), TriangleFan(7), OpenTriangleFan(2), OpenTriangleFan(5)}) {
+        cages.push_back(Rough(cage));
+    }
     Cage left = Named(LoopIcosahedron(), "loop icosahedron, left-handed");
     left.mesh.leftHanded = true;
     cages.push_back(left);

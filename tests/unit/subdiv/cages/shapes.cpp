@@ -124,6 +124,10 @@ std::vector<Cage> ShapeCages() {
     cages.insert(cages.end(), {MixedFan(), ValenceTwo(), QuadPillow(), TrianglePillow(),
                                Collapsed(), CollapsedPentagon(), Unreferenced()});
     cages.push_back(Named(Torus(3, 3), "smallest torus"));
+    for (int valence : {3, 5, 7}) {
+        cages.push_back(Rough(Fan(valence)));
+    }
+    cages.push_back(Rough(Cube()));
     cages.push_back(LeftHanded(Fan(5), "left-handed fan"));
     cages.push_back(LeftHanded(Drum(5), "left-handed drum"));
     cages.push_back(SmoothTriangles(Tetrahedron(), "tetrahedron, smooth triangles"));

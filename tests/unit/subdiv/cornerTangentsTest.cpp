@@ -1,4 +1,4 @@
-#include "core/subdiv/loopCorner.h"
+#include "core/subdiv/cornerTangents.h"
 
 #include <algorithm>
 #include <array>
@@ -10,6 +10,7 @@
 
 #include "core/subdiv/limitPoint.h"
 #include "core/subdiv/patchBuilder.h"
+#include "tests/unit/subdiv/cageKit.h"
 #include "tests/unit/subdiv/testCages.h"
 
 namespace cc::test {
@@ -36,57 +37,55 @@ Matrix Square(const Matrix& m) {
     return square;
 }
 
-/// A sharp corner of Loop's scheme as vertex 0 of a fan whose other vertices are anywhere.
-struct SharpCorner {
+/// A sharp corner as vertex 0 of a fan whose other vertices are anywhere.
+struct SharpFan {
+    Scheme scheme;
     int faceCount;
     bool isClosed;
     bool hasSharpEdge = false;  ///< that to vertex 1, where the fan is closed
 
     int EdgeCount() const { return faceCount + !isClosed; }
+    /// Around the corner: edges, then diagonals.
+    int VectorCount() const {
+        return EdgeCount() + (scheme == Scheme::CatmullClark ? faceCount : 0);
+    }
+    int Next(int edge) const { return (edge + 1) % EdgeCount(); }
 
     Cage ToCage(unsigned seed) const {
         std::mt19937 random(seed);
         std::uniform_real_distribution<float> unit(-1, 1);
         Cage cage;
-        cage.mesh.scheme = Scheme::Loop;
-        for (int i = 0; i <= EdgeCount(); ++i) {
+        cage.mesh.scheme = scheme;
+        for (int i = 0; i <= VectorCount(); ++i) {
             cage.points.push_back({unit(random), unit(random), unit(random)});
         }
         for (int j = 0; j < faceCount; ++j) {
-            cage.mesh.faceVertexCounts.push_back(3);
-            for (int vertex : {0, 1 + j, 1 + (j + 1) % EdgeCount()}) {
-                cage.mesh.faceVertexIndices.push_back(vertex);
+            std::vector<int> face{0, 1 + j, 1 + Next(j)};
+            if (scheme == Scheme::CatmullClark) {
+                face.insert(face.begin() + 2, 1 + EdgeCount() + j);
             }
+            AddFace(&cage, face);
         }
-        cage.mesh.cornerIndices = {0};
-        cage.mesh.cornerSharpnesses = {10};
+        AddCorner(&cage, 0, 10);
         if (hasSharpEdge) {
-            cage.mesh.creaseIndices = {0, 1};
-            cage.mesh.creaseLengths = {2};
-            cage.mesh.creaseSharpnesses = {10};
+            AddCrease(&cage, {0, 1}, 10);
         }
         return cage;
     }
 
-    /// What a step makes of the edges (Loop 1987, Hoppe et al. 1994).
-    Matrix Step() const {
-        const int n = EdgeCount();
-        Matrix step(n, std::vector<double>(n));
-        for (int i = 0; i < n; ++i) {
-            const bool isSharp = (!isClosed && (i == 0 || i == n - 1)) || (hasSharpEdge && i == 0);
-            step[i][i] = isSharp ? 0.5 : 0.375;
-            step[i][(i + 1) % n] += isSharp ? 0 : 0.125;
-            step[i][(i + n - 1) % n] += isSharp ? 0 : 0.125;
-        }
-        return step;
+    bool IsSharp(int edge) const {
+        return (!isClosed && (edge == 0 || edge == EdgeCount() - 1)) || (hasSharpEdge && edge == 0);
     }
 
-    /// Two different edges.
+    /// What a step makes of the vectors around the corner.
+    Matrix Step() const { return scheme == Scheme::Loop ? _LoopStep() : _CatmullClarkStep(); }
+
+    /// Two different vectors.
     using Pair = std::array<int, 2>;
     std::vector<Pair> Pairs() const {
         std::vector<Pair> pairs;
-        for (int i = 0; i < EdgeCount(); ++i) {
-            for (int j = i + 1; j < EdgeCount(); ++j) {
+        for (int i = 0; i < VectorCount(); ++i) {
+            for (int j = i + 1; j < VectorCount(); ++j) {
                 pairs.push_back({i, j});
             }
         }
@@ -94,7 +93,7 @@ struct SharpCorner {
     }
 
     /// What 2^doublings steps make of the cross products of pairs, up to a factor. They are refined
-    /// in place of the edges, which become too alike for a product to tell them apart.
+    /// in place of the vectors, which become too alike for a product to tell them apart.
     Matrix Products(int doublings) const {
         const Matrix step = Step();
         const std::vector<Pair> pairs = Pairs();
@@ -115,7 +114,7 @@ struct SharpCorner {
     std::array<double, 3> Normal(const Matrix& products, const std::vector<Vec3f>& points,
                                  int face) const {
         const std::vector<Pair> pairs = Pairs();
-        const int next = (face + 1) % EdgeCount();
+        const int next = Next(face);
         const Pair pair = {std::min(face, next), std::max(face, next)};
         const size_t row = std::find(pairs.begin(), pairs.end(), pair) - pairs.begin();
         std::array<double, 3> sum{};
@@ -133,10 +132,43 @@ struct SharpCorner {
         const double length = std::hypot(sum[0], sum[1], sum[2]) * (face < next ? 1 : -1);
         return {sum[0] / length, sum[1] / length, sum[2] / length};
     }
+
+  private:
+    /// Loop 1987, Hoppe et al. 1994.
+    Matrix _LoopStep() const {
+        const int n = EdgeCount();
+        Matrix step(n, std::vector<double>(n));
+        for (int i = 0; i < n; ++i) {
+            step[i][i] = IsSharp(i) ? 0.5 : 0.375;
+            step[i][(i + 1) % n] += IsSharp(i) ? 0 : 0.125;
+            step[i][(i + n - 1) % n] += IsSharp(i) ? 0 : 0.125;
+        }
+        return step;
+    }
+
+    /// Catmull and Clark 1978, with the edges of DeRose et al. 1998.
+    Matrix _CatmullClarkStep() const {
+        const int edgeCount = EdgeCount();
+        Matrix step(VectorCount(), std::vector<double>(VectorCount()));
+        for (int j = 0; j < faceCount; ++j) {
+            for (const int i : {j, Next(j), edgeCount + j}) {
+                step[edgeCount + j][i] += 0.25;
+            }
+        }
+        for (int i = 0; i < edgeCount; ++i) {
+            step[i][i] = IsSharp(i) ? 0.5 : 0.25;
+            for (const int face : {i, (i + faceCount - 1) % faceCount}) {
+                for (int k = 0; k < VectorCount() && !IsSharp(i); ++k) {
+                    step[i][k] += 0.25 * step[edgeCount + face][k];
+                }
+            }
+        }
+        return step;
+    }
 };
 
 /// @param doublings  of steps: what is left after n is 1/n in resonance, else a power of n
-void ExpectNormalsOfRefinement(const SharpCorner& corner, int doublings) {
+void ExpectNormalsOfRefinement(const SharpFan& corner, int doublings) {
     const Matrix products = corner.Products(doublings);
     for (unsigned seed = 0; seed < 20; ++seed) {
         Cage cage = corner.ToCage(seed);
@@ -157,28 +189,46 @@ void ExpectNormalsOfRefinement(const SharpCorner& corner, int doublings) {
     }
 }
 
-TEST(LoopCorner, NormalsAreThoseOfRefinement) {
+TEST(CornerTangents, NormalsAreThoseOfRefinementUnderLoop) {
     for (int faceCount : {1, 2, 3, 4, 5, 6}) {
-        ExpectNormalsOfRefinement({faceCount, false}, 22);
+        ExpectNormalsOfRefinement({Scheme::Loop, faceCount, false}, 22);
     }
     for (int faceCount : {7, 8, 9, 12}) {
-        ExpectNormalsOfRefinement({faceCount, false}, 10);
+        ExpectNormalsOfRefinement({Scheme::Loop, faceCount, false}, 10);
     }
     for (int faceCount : {3, 4, 5, 6, 7, 12}) {
-        ExpectNormalsOfRefinement({faceCount, true}, 8);
+        ExpectNormalsOfRefinement({Scheme::Loop, faceCount, true}, 8);
     }
     for (int faceCount : {4, 7, 8, 12}) {
-        ExpectNormalsOfRefinement({faceCount, true, true}, 11);
+        ExpectNormalsOfRefinement({Scheme::Loop, faceCount, true, true}, 11);
     }
 }
 
-TEST(LoopCorner, OfTwoOrThreeFacesHasThePlaneOfItsEnds) {
+TEST(CornerTangents, NormalsAreThoseOfRefinementUnderCatmullClark) {
+    for (int faceCount : {1, 2, 3, 4}) {
+        ExpectNormalsOfRefinement({Scheme::CatmullClark, faceCount, false}, 22);
+    }
+    for (int faceCount : {5, 6, 7, 9}) {
+        ExpectNormalsOfRefinement({Scheme::CatmullClark, faceCount, false}, 10);
+    }
+    for (int faceCount : {2, 3, 4, 5, 7, 9}) {
+        ExpectNormalsOfRefinement({Scheme::CatmullClark, faceCount, true}, 8);
+    }
+    for (int faceCount : {5, 7, 9}) {
+        ExpectNormalsOfRefinement({Scheme::CatmullClark, faceCount, true, true}, 11);
+    }
+}
+
+TEST(CornerTangents, OfFewFacesHaveThePlaneOfTheEnds) {
     const Vec3f first = {1, 0, 0}, last = {0, 2, 0}, anything = {0.3f, 0.4f, 5};
-    for (const CornerEdges& edges :
-         {CornerEdges{first, anything, last}, CornerEdges{first, anything, -anything, last}}) {
-        for (int face = 0; face + 1 < static_cast<int>(edges.size()); ++face) {
+    for (const SharpCorner& corner :
+         {SharpCorner{{first, anything, last}, {}, false},
+          SharpCorner{{first, anything, -anything, last}, {}, false},
+          SharpCorner{{first, last}, {anything}, false},
+          SharpCorner{{first, anything, last}, {anything, -anything}, false}}) {
+        for (int face = 0; face + 1 < static_cast<int>(corner.edges.size()); ++face) {
             Vec3f towardsEdge, towardsNextEdge;
-            ASSERT_TRUE(LoopCornerTangents(edges, false, face, &towardsEdge, &towardsNextEdge));
+            ASSERT_TRUE(CornerTangents(corner, face, &towardsEdge, &towardsNextEdge));
             const Vec3f normal = Normalize(Cross(towardsEdge, towardsNextEdge));
             EXPECT_EQ(normal, (Vec3f{0, 0, 1})) << face;
         }
@@ -186,9 +236,9 @@ TEST(LoopCorner, OfTwoOrThreeFacesHasThePlaneOfItsEnds) {
 }
 
 /// No mask is known there, and the evaluation refines.
-TEST(LoopCorner, OnAStraightBoundaryHasThePlaneOfItsFaces) {
+TEST(CornerTangents, OnAStraightBoundaryHasThePlaneOfItsFaces) {
     for (int faceCount : {2, 3}) {
-        Cage cage = SharpCorner{faceCount, false}.ToCage(0);
+        Cage cage = SharpFan{Scheme::Loop, faceCount, false}.ToCage(0);
         cage.points = {{5, 5, 5}, {6, 5, 5}, {5.5f, 5.5f, 6}, {4.7f, 5.3f, 5.6f}, {4, 5, 5}};
         if (faceCount == 2) {
             cage.points.erase(cage.points.begin() + 3);
@@ -206,17 +256,24 @@ TEST(LoopCorner, OnAStraightBoundaryHasThePlaneOfItsFaces) {
     }
 }
 
-TEST(LoopCorner, HasNoTangentsWhereItsEdgesAreParallel) {
+TEST(CornerTangents, AreUnknownWhereEdgesAreParallel) {
     Vec3f towardsEdge, towardsNextEdge;
+    const auto areKnown = [&](const SharpCorner& corner, int face) {
+        return CornerTangents(corner, face, &towardsEdge, &towardsNextEdge);
+    };
     const Vec3f x = {1, 0, 0}, y = {0, 1, 0};
-    EXPECT_FALSE(LoopCornerTangents({x, y, -x}, false, 0, &towardsEdge, &towardsNextEdge));
-    EXPECT_FALSE(LoopCornerTangents({x, x, x, x}, false, 1, &towardsEdge, &towardsNextEdge));
-    EXPECT_FALSE(LoopCornerTangents({x, x, x, x, x}, false, 2, &towardsEdge, &towardsNextEdge));
-    EXPECT_FALSE(LoopCornerTangents({x, x, x}, true, 2, &towardsEdge, &towardsNextEdge));
-    EXPECT_FALSE(LoopCornerTangents({{}, {}, {}}, true, 0, &towardsEdge, &towardsNextEdge));
+    EXPECT_FALSE(areKnown({{x, y, -x}, {}, false}, 0));
+    EXPECT_FALSE(areKnown({{x, x, x, x}, {}, false}, 1));
+    EXPECT_FALSE(areKnown({{x, x, x, x, x}, {}, false}, 2));
+    EXPECT_FALSE(areKnown({{x, x, x}, {}, true}, 2));
+    EXPECT_FALSE(areKnown({{{}, {}, {}}, {}, true}, 0));
+    EXPECT_FALSE(areKnown({{x, y, -x}, {x + y, y - x}, false}, 0));
+    EXPECT_FALSE(areKnown({{x, x}, {y, -y}, true}, 0));
     // Flat, and around the corner: no spike.
-    EXPECT_TRUE(LoopCornerTangents({x, y, -x, -y}, true, 3, &towardsEdge, &towardsNextEdge));
+    EXPECT_TRUE(areKnown({{x, y, -x, -y}, {}, true}, 3));
     EXPECT_EQ(Normalize(Cross(towardsEdge, towardsNextEdge)), (Vec3f{0, 0, 1}));
+    EXPECT_TRUE(areKnown({{x, y, -x, -y}, {x + y, y - x, -x - y, x - y}, true}, 3));
+    EXPECT_NEAR(Normalize(Cross(towardsEdge, towardsNextEdge)).z, 1, 1e-6f);
 }
 
 }  // namespace
