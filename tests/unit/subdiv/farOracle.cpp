@@ -49,7 +49,9 @@ struct CornerOfFace {
     Far::Index face, vertex;
 };
 
-/// A vertex with its faces, as a mesh of its own. The first face begins with the vertex.
+/// A vertex with its faces, as a mesh of its own. The first face begins with the vertex. Under
+/// Chaikin's rule the faces around those are there as well: edges decay by what meets their far
+/// ends.
 struct Ring {
     ControlMesh mesh;
     std::vector<Values> points;
@@ -69,10 +71,15 @@ Ring RingOf(const Far::TopologyLevel& level, const CornerOfFace& corner,
     Ring ring;
     ring.mesh = rules;
     std::vector<int> toRing(level.GetNumVertices(), -1);
+    std::vector<bool> isIn(level.GetNumFaces(), false);
     const auto addFace = [&](Far::Index face) {
+        if (isIn[face]) {
+            return;
+        }
         const Far::ConstIndexArray vertices = level.GetFaceVertices(face);
         ring.mesh.faceVertexCounts.push_back(vertices.size());
-        const int first = vertices.FindIndex(corner.vertex);
+        const int first = std::max(vertices.FindIndex(corner.vertex), 0);
+        isIn[face] = true;
         for (int i = 0; i < vertices.size(); ++i) {
             const Far::Index v = vertices[(first + i) % vertices.size()];
             if (toRing[v] < 0) {
@@ -84,12 +91,23 @@ Ring RingOf(const Far::TopologyLevel& level, const CornerOfFace& corner,
     };
     addFace(corner.face);
     for (Far::Index face : level.GetVertexFaces(corner.vertex)) {
-        if (face != corner.face) {
-            addFace(face);
+        addFace(face);
+    }
+    if (rules.creaseRule == CreaseRule::Chaikin) {
+        for (Far::Index near : level.GetVertexFaces(corner.vertex)) {
+            for (Far::Index vertex : level.GetFaceVertices(near)) {
+                for (Far::Index face : level.GetVertexFaces(vertex)) {
+                    addFace(face);
+                }
+            }
         }
     }
-    for (Far::Index edge : level.GetVertexEdges(corner.vertex)) {
+    for (Far::Index edge = 0; edge < level.GetNumEdges(); ++edge) {
         const Far::ConstIndexArray ends = level.GetEdgeVertices(edge);
+        const Far::ConstIndexArray faces = level.GetEdgeFaces(edge);
+        if (std::none_of(faces.begin(), faces.end(), [&](Far::Index face) { return isIn[face]; })) {
+            continue;
+        }
         ring.mesh.creaseIndices.push_back(toRing[ends[0]]);
         ring.mesh.creaseIndices.push_back(toRing[ends[1]]);
         ring.mesh.creaseLengths.push_back(2);
