@@ -34,9 +34,9 @@ class CatmullClarkBuilder {
             if (_ring.shape != FaceShape::Irregular) {
                 _GatherGrid(level);
                 if (_ring.shape == FaceShape::Regular) {
-                    _AddRegular(level->Origin(face));
+                    _AddRegular(level, face);
                 } else {
-                    _AddExtraordinary(level, level->Origin(face));
+                    _AddExtraordinary(level, face);
                 }
             } else if (!_AddIrregular(level, face, &rings)) {
                 if (level->Origin(face).depth < kMaxDepth) {
@@ -105,11 +105,23 @@ class CatmullClarkBuilder {
         }
     }
 
-    void _AddRegular(const FaceOrigin& origin) {
-        _table->AddPatch(_MakePatch(origin, PatchKind::Regular), &_grid[0][0], 16);
+    /// Adds a patch of a face.
+    /// @param patch  whose rotation is set
+    void _Add(RefinementLevel* level, int face, Patch patch, const uint32_t* indices, int count) {
+        const int corner = level->OuterCorner(face);
+        patch.outerCorner = (corner - patch.rotation) & 3;
+        _table->AddPatch(patch, indices, count);
+        if (patch.depth > 0) {
+            _table->AddOuterEdges(level->EdgeEnds(face, corner, _table),
+                                  level->EdgeEnds(face, (corner + 3) & 3, _table));
+        }
     }
 
-    void _AddExtraordinary(RefinementLevel* level, const FaceOrigin& origin) {
+    void _AddRegular(RefinementLevel* level, int face) {
+        _Add(level, face, _MakePatch(level->Origin(face), PatchKind::Regular), &_grid[0][0], 16);
+    }
+
+    void _AddExtraordinary(RefinementLevel* level, int face) {
         const int corner = _ring.extraordinaryCorner;
         std::vector<uint32_t>& points = _points;
         points.assign(1, _At(GridCorner(corner)));
@@ -121,10 +133,10 @@ class CatmullClarkBuilder {
                       {_At(GridDiagonal(c1)), _At(GridAcross(c1, c1)), _At(GridAcross(c2, c1)),
                        _At(GridDiagonal(c2)), _At(GridAcross(c2, c2)), _At(GridAcross(c3, c2)),
                        _At(GridDiagonal(c3))});
-        Patch patch = _MakePatch(origin, PatchKind::Extraordinary);
+        Patch patch = _MakePatch(level->Origin(face), PatchKind::Extraordinary);
         patch.valence = static_cast<uint16_t>(_ring.extraordinaryRing.size() / 2);
         patch.rotation = corner & 3;
-        _table->AddPatch(patch, points.data(), static_cast<int>(points.size()));
+        _Add(level, face, patch, points.data(), static_cast<int>(points.size()));
     }
 
     /// Adds a quad with the rings of its corners. Returns false if it has none.
@@ -145,7 +157,7 @@ class CatmullClarkBuilder {
             const uint32_t valence = _table->Ring(place.ring).faceCount;
             patch.valence = static_cast<uint16_t>(std::max<uint32_t>(patch.valence, valence));
         }
-        _table->AddPatch(patch, corners, 8);
+        _Add(level, face, patch, corners, 8);
         return true;
     }
 
@@ -155,7 +167,8 @@ class CatmullClarkBuilder {
         for (int i = 0; i < 4; ++i) {
             points[i] = level->LimitPoint(vertices[i], _table);
         }
-        _table->AddPatch(_MakePatch(level->Origin(face), PatchKind::Bilinear), points, 4);
+        _table->NoteLimitQuads();
+        _Add(level, face, _MakePatch(level->Origin(face), PatchKind::Bilinear), points, 4);
     }
 
     PatchTable* const _table;
@@ -223,6 +236,8 @@ void AddBilinear(const ControlMesh& mesh, PatchTable* table) {
             const uint32_t quad[4] = {points[i], middles[i], center,
                                       middles[(i + count - 1) % count]};
             table->AddPatch(patch, quad, 4);
+            table->AddOuterEdges({points[i], points[(i + 1) % count]},
+                                 {points[(i + count - 1) % count], points[i]});
         }
     }
 }

@@ -149,6 +149,35 @@ void PatchTable::AddPatch(Patch patch, const uint32_t* indices, int count) {
     _maxDepth = std::max(_maxDepth, static_cast<int>(patch.depth));
 }
 
+void PatchTable::AddOuterEdges(const EdgePoints& next, const EdgePoints& previous) {
+    _indices.insert(_indices.end(), {next.a, next.b, previous.a, previous.b});
+}
+
+void PatchTable::Corners(uint32_t patch, uint32_t corners[4]) const {
+    static constexpr int kRegular[4] = {5, 6, 10, 9}, kExtraordinary[4] = {0, 1, 2, 3};
+    const uint32_t* indices = Indices(patch);
+    const PatchKind kind = At(patch).kind;
+    for (int i = 0; i < 4; ++i) {
+        corners[i] = kind == PatchKind::Irregular ? RingIndices(Ring(indices[2 * i]))[0]
+                     : kind == PatchKind::Regular ? indices[kRegular[i]]
+                                                  : indices[kExtraordinary[i]];
+    }
+}
+
+void PatchTable::EdgeEnds(uint32_t patch, EdgePoints edges[4]) const {
+    uint32_t corners[4];
+    Corners(patch, corners);
+    for (int i = 0; i < 4; ++i) {
+        edges[i] = {corners[i], corners[(i + 1) & 3]};
+    }
+    const Patch& p = At(patch);
+    if (p.depth > 0) {
+        const uint32_t* outer = Indices(patch) + IndexCount(patch);
+        edges[p.outerCorner] = {outer[0], outer[1]};
+        edges[(p.outerCorner + 3) & 3] = {outer[2], outer[3]};
+    }
+}
+
 PolygonTriangle PatchTable::TriangleCorners(uint32_t patch) const {
     if (_patches[patch].kind != PatchKind::FlatTriangle) {
         return {0, 1, 2};

@@ -39,12 +39,13 @@ enum PatchSide : uint8_t { kLowRow = 1, kHighRow = 2, kLowColumn = 4, kHighColum
 /// One quad of the surface with its 1-ring, one triangle under the Loop scheme, or one of those
 /// that a polygon is cut into.
 struct Patch {
-    uint32_t firstIndex;    ///< into PatchTable's index array
-    uint32_t face;          ///< the authored face
-    uint32_t corner;        ///< of an n-gon: which of its n sub-quads or n - 2 triangles; else 0
-    uint16_t cellU, cellV;  ///< which of the 2^cellDepth x 2^cellDepth cells of the (sub-)quad
-    uint16_t valence;       ///< largest at its corners: 4 if it is regular, 6 as a triangle
-    uint8_t depth : 4;      ///< refinement steps between the cage and this quad
+    uint32_t firstIndex;      ///< into PatchTable's index array
+    uint32_t face;            ///< the authored face
+    uint32_t corner;          ///< of an n-gon: which of its n sub-quads or n - 2 triangles; else 0
+    uint16_t cellU, cellV;    ///< which of the 2^cellDepth x 2^cellDepth cells of the (sub-)quad
+    uint16_t valence;         ///< largest at its corners: 4 if it is regular, 6 as a triangle
+    uint8_t depth : 2;        ///< refinement steps between the cage and this quad
+    uint8_t outerCorner : 2;  ///< of a refined quad: the corner that it shares with its parent
     /// A bit for each side of a regular patch, by PatchSide, whose outer points are 2a - b, a being
     /// the points of its edge and b those behind.
     uint8_t extrapolatedSides : 4;
@@ -82,6 +83,11 @@ struct FaceParameter {
     bool isTriangle = false;
 };
 
+/// Patch points at the ends of an edge.
+struct EdgePoints {
+    uint32_t a, b;
+};
+
 /// A value made from others: the sum of weight times value.
 struct Stencil {
     std::vector<uint32_t> indices;
@@ -113,6 +119,15 @@ class PatchTable {
     }
     /// Which corners of its authored face the corners of a triangle are.
     PolygonTriangle TriangleCorners(uint32_t patch) const;
+    /// The control points at the corners of a patch that is a quad.
+    void Corners(uint32_t patch, uint32_t corners[4]) const;
+    /// The points at the ends of each edge of a quad, edge 0 from corner 0 to 1: of the whole edge
+    /// if refinement has left the patch half of one. Patches that share an edge, or parts of it,
+    /// find the same two points, maybe the other way round.
+    void EdgeEnds(uint32_t patch, EdgePoints edges[4]) const;
+    /// True if all patches must be cut into equally many pieces, for want of edges that both sides
+    /// know by the same points: triangles, and quads between limit points.
+    bool IsCutAlike() const { return _hasLimitQuads || (!_patches.empty() && IsTriangle(0)); }
     /// Refinement steps of the patch that took most of them.
     int MaxDepth() const { return _maxDepth; }
     /// True if the cage's faces run clockwise: normals are flipped.
@@ -147,6 +162,11 @@ class PatchTable {
     uint32_t AddExtrapolatedPoint(uint32_t a, uint32_t b);
     /// Adds a patch; its firstIndex is set to where its indices go.
     void AddPatch(Patch patch, const uint32_t* indices, int count);
+    /// Says that there are quads between limit points (RefinementLevel::LimitPoint).
+    void NoteLimitQuads() { _hasLimitQuads = true; }
+    /// Says which edges the last patch has parts of, a refined quad: the edge that begins at its
+    /// outer corner, and the one that ends there.
+    void AddOuterEdges(const EdgePoints& next, const EdgePoints& previous);
     /// Adds the triangles of a polygon, given the points of its corners.
     void AddPolygon(uint32_t face, const std::vector<uint32_t>& points,
                     const std::vector<PolygonTriangle>& triangles);
@@ -183,6 +203,7 @@ class PatchTable {
     std::vector<uint32_t> _stencilIndices;
     std::vector<float> _stencilWeights;
     int _maxDepth = 0;
+    bool _hasLimitQuads = false;
     SharpnessDecay _decay = SharpnessDecay::Uniform;
     bool _leftHanded = false;
 };

@@ -333,6 +333,7 @@ RefinementLevel::RefinementLevel(RefinementLevel* parent, const std::vector<int>
                 child.corner = kept->second[corner];
             }
             _origins.push_back(child);
+            _outerEdges.push_back({partFaces[face], corner, isQuad ? corner : 0});
         }
     }
     SeamRefinement seams = RefineSeams(*part.refiner, SeamsOf(part, parent->_seams));
@@ -382,6 +383,23 @@ Stencil RefinementLevel::_ToStencil(const MaskRow& row, RefinementLevel* level, 
         stencil.indices.push_back(level->PatchPoint(vertex, table));
     }
     return stencil;
+}
+
+EdgePoints RefinementLevel::EdgeEnds(int face, int edge, PatchTable* table) {
+    if (_parent) {
+        const OuterEdges& outer = _outerEdges[face];
+        if (edge == outer.corner) {
+            return _parent->EdgeEnds(outer.parentFace, outer.parentCorner, table);
+        }
+        if (edge == ((outer.corner + 3) & 3)) {
+            const int count = _parent->Topology().GetFaceVertices(outer.parentFace).size();
+            return _parent->EdgeEnds(outer.parentFace, (outer.parentCorner + count - 1) % count,
+                                     table);
+        }
+    }
+    const auto vertices = Topology().GetFaceVertices(face);
+    return {PatchPoint(vertices[edge], table),
+            PatchPoint(vertices[(edge + 1) % vertices.size()], table)};
 }
 
 uint32_t RefinementLevel::PatchPoint(int vertex, PatchTable* table) {

@@ -40,6 +40,13 @@ class RefinementLevel {
     OpenSubdiv::Far::TopologyLevel Topology() const { return _refiner->GetLevel(0); }
     int FaceCount() const { return static_cast<int>(_origins.size()); }
     const FaceOrigin& Origin(int face) const { return _origins[face]; }
+    /// The corner that a face shares with its parent, which it is next to two edges of; 0 in the
+    /// cage.
+    int OuterCorner(int face) const { return _parent ? _outerEdges[face].corner : 0; }
+    /// The patch points at the ends of an edge of a face, or of the edge that it is part of in the
+    /// first level that has that.
+    /// @param edge  counted from the face's first vertex
+    EdgePoints EdgeEnds(int face, int edge, PatchTable* table);
     /// The sharpness of a vertex by OpenSubdiv's refinement. Topology makes more vertices sharp
     /// than that, since it takes the level for a cage: those on an edge whose two faces disagree
     /// about its direction, which is no manifold but is refined to a crease.
@@ -62,12 +69,20 @@ class RefinementLevel {
         void Merge();
     };
 
+    /// Where a face lies in its parent.
+    struct OuterEdges {
+        int parentFace, parentCorner;
+        int corner;  ///< of the face, at the parent's
+    };
+
     void _NoteCage(const ControlMesh& mesh, size_t pointCount);
     Stencil _ToStencil(const MaskRow& row, RefinementLevel* level, PatchTable* table);
 
     std::unique_ptr<OpenSubdiv::Far::TopologyRefiner> _refiner;
     RefinementLevel* _parent = nullptr;
     std::vector<FaceOrigin> _origins;
+    /// Above the cage.
+    std::vector<OuterEdges> _outerEdges;
     /// Of the cage's faces that lost corners: which they kept.
     std::map<int, std::vector<int>> _keptCorners;
     std::vector<float> _vertexSharpness;

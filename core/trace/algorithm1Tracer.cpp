@@ -61,23 +61,24 @@ HWY_EXPORT(IntersectTuples);
 HWY_EXPORT(OccludeTuples);
 HWY_EXPORT(IntersectLongTuples);
 
-void DispatchIntersect(const InstanceBvh& instances, int level, ObjectRays* worldRays,
-                       const RayPacket& world, HitPacket* hits, SharedGrids*,
+void DispatchIntersect(const InstanceBvh& instances, const LevelMetric& levels,
+                       ObjectRays* worldRays, const RayPacket& world, HitPacket* hits, SharedGrids*,
                        TraceStatistics* statistics) {
-    HWY_DYNAMIC_DISPATCH(IntersectTuples)(instances, level, worldRays, world, hits, statistics);
+    HWY_DYNAMIC_DISPATCH(IntersectTuples)(instances, levels.Finest(), worldRays, world, hits,
+                                          statistics);
 }
 
 /// Any hit needs no texture coordinates (paper, section 3.2).
-void DispatchOcclude(const InstanceBvh& instances, int level, ObjectRays* worldRays,
+void DispatchOcclude(const InstanceBvh& instances, const LevelMetric& levels, ObjectRays* worldRays,
                      const RayPacket& world, SharedGrids*, TraceStatistics* statistics) {
-    HWY_DYNAMIC_DISPATCH(OccludeTuples)(instances, level, worldRays, world, statistics);
+    HWY_DYNAMIC_DISPATCH(OccludeTuples)(instances, levels.Finest(), worldRays, world, statistics);
 }
 
-void DispatchIntersectWithTexture(const InstanceBvh& instances, int level, ObjectRays* worldRays,
-                                  const RayPacket& world, HitPacket* hits, SharedGrids*,
-                                  TraceStatistics* statistics) {
+void DispatchIntersectWithTexture(const InstanceBvh& instances, const LevelMetric& levels,
+                                  ObjectRays* worldRays, const RayPacket& world, HitPacket* hits,
+                                  SharedGrids*, TraceStatistics* statistics) {
     TextureHits texture;
-    IntersectWithTexture(instances, level, worldRays, world, hits, &texture, statistics);
+    IntersectWithTexture(instances, levels.Finest(), worldRays, world, hits, &texture, statistics);
 }
 
 }  // namespace

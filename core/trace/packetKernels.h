@@ -12,15 +12,14 @@ namespace cc {
 /// shortens them.
 struct PacketKernels {
     /// Finds the nearest hits. Hits are cleared already; grids may be null.
-    void (*intersect)(const InstanceBvh& instances, int level, ObjectRays* worldRays,
-                      const RayPacket& world, HitPacket* hits, SharedGrids* grids,
-                      TraceStatistics* statistics);
+    void (*intersect)(const InstanceBvh& instances, const LevelMetric& levels,
+                      ObjectRays* worldRays, const RayPacket& world, HitPacket* hits,
+                      SharedGrids* grids, TraceStatistics* statistics);
     /// Ends every ray that hits anything: its tMax falls below its tMin.
-    void (*occlude)(const InstanceBvh& instances, int level, ObjectRays* worldRays,
+    void (*occlude)(const InstanceBvh& instances, const LevelMetric& levels, ObjectRays* worldRays,
                     const RayPacket& world, SharedGrids* grids, TraceStatistics* statistics);
 };
 
-/// @param level  each base face is split into 2^level x 2^level quads, 0..8
-std::unique_ptr<Tracer> MakePacketTracer(const PacketKernels& kernels, int level);
+std::unique_ptr<Tracer> MakePacketTracer(const PacketKernels& kernels, const LevelMetric& levels);
 
 }  // namespace cc

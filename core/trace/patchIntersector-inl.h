@@ -13,8 +13,10 @@
 
 #include "core/subdiv/extraordinaryPatch.h"
 #include "core/subdiv/irregularPatch.h"
+#include "core/subdiv/limitPoint.h"
 #include "core/trace/bezierRows-inl.h"
 #include "core/trace/gridFrame-inl.h"
+#include "core/trace/levelMetric.h"
 #include "core/trace/limitGrid-inl.h"
 #include "core/trace/patchRays-inl.h"
 #include "core/trace/patchSquare.h"
@@ -83,19 +85,18 @@ struct SubPatch {
 template <class Rays, bool kAnyHit>
 class PatchIntersector {
   public:
-    /// @param grids  null if nothing is shared
-    PatchIntersector(const Surface& surface, uint32_t instance, int level, Rays* rays,
-                     HitPacket* hits, SharedGrids* grids, TraceStatistics* statistics)
-        : _surface(surface),
-          _instance(instance),
-          // Quads of a mesh must meet at one level: where faces were refined deeper than the level
-          // that was asked for, the whole mesh goes as deep.
-          _level(std::max(level, surface.Patches().MaxDepth())),
+    /// @param number  of the instance, as hits give it
+    /// @param grids   null if nothing is shared
+    PatchIntersector(const Instance& instance, uint32_t number, const LevelMetric& levels,
+                     Rays* rays, HitPacket* hits, SharedGrids* grids, TraceStatistics* statistics)
+        : _surface(*instance.surface),
+          _instance(number),
+          _levels(levels, instance),
           _rays(*rays),
           _hits(hits),
           _grids(grids),
           _statistics(*statistics),
-          _triangles(surface, instance, _level, rays, hits, statistics, &_doneRays) {
+          _triangles(_surface, number, _levels.Uniform(), rays, hits, statistics, &_doneRays) {
         for (int i = 0; i < rays->rays.count; ++i) {
             _doneRays += rays->rays.tMax[i] < rays->rays.tMin[i];
         }
@@ -116,6 +117,8 @@ class PatchIntersector {
   private:
     using Tag = typename Rays::Tag;
     static constexpr int kMaxSplits = 8;
+    /// How far fans may be from the quads that they stand for, by how far their borders are.
+    static constexpr float kStitchMargin = 2;
 
     void _IntersectPatch(uint32_t patch, uint64_t hitting, const Box3f& box) {
         const int firstRay = __builtin_ctzll(hitting);
@@ -127,10 +130,12 @@ class PatchIntersector {
             _isShortened |= _triangles.Intersect(patch, firstRay);
             return;
         }
-        const int splits = _level - p.depth;
+        const int splits = _FindLevels(patch) - p.depth;
         const Square whole{0, 0, 1};
         if (p.kind == PatchKind::Regular || p.kind == PatchKind::Bilinear) {
-            _tolerance = 0;
+            // Neighbours that are not split evaluate their common points in another way.
+            _tolerance =
+                _isStitched && splits > kMaxGridSplits ? RoundingTolerance(&box.lower, 2) : 0;
             if (splits <= kMaxGridSplits) {
                 EvaluatedGrid& grid = _GridAt(whole);
                 if (!_Holds(grid, whole)) {
@@ -157,6 +162,10 @@ class PatchIntersector {
             return;
         }
         _tolerance *= 2;  // every step rounds
+        if (_isStitched) {
+            _IntersectTiles(whole, splits, hitting);
+            return;
+        }
         if (p.kind == PatchKind::Extraordinary) {
             ExtraordinaryPatch::Points points;
             _GatherExtraordinary(patches, &points);
@@ -166,6 +175,46 @@ class PatchIntersector {
             _IntersectIrregular(GatherIrregular(patches, patch, _surface.PatchPoints().data()),
                                 whole, splits, firstRay);
         }
+    }
+
+    /// Finds the levels of a patch; returns the one inside.
+    int _FindLevels(uint32_t patch) {
+        if (_levels.IsUniform()) {
+            return _levels.Uniform();
+        }
+        _patchLevels = _levels.Of(patch);
+        _isStitched = !_patchLevels.AreEqual();
+        return _patchLevels.interior;
+    }
+
+    /// Intersects rays with a part of a patch that no plan holds and that must be stitched: its
+    /// borders may end beyond the parts that subdivision would leave. Its points are evaluated one
+    /// by one.
+    void _IntersectTiles(const Square& square, int splits, uint64_t hitting) {
+        if (splits > kMaxGridSplits) {
+            for (int i = 0; i < 4; ++i) {
+                _IntersectTiles(square.Quarter(i), splits - 1, hitting);
+            }
+            return;
+        }
+        EvaluatedGrid& grid = _GridAt(square);
+        if (!_Holds(grid, square)) {
+            const int side = grid.points.side = 1 << splits;
+            const float step = square.size / static_cast<float>(side);
+            for (int i = 0; i < (side + 1) * (side + 1); ++i) {
+                const int row = i / (side + 1), column = i % (side + 1);
+                const Vec3f p =
+                    EvaluateLimitValue(_surface.Patches(), _patch, _surface.PatchPoints().data(),
+                                       square.u + step * static_cast<float>(column),
+                                       square.v + step * static_cast<float>(row));
+                for (int axis = 0; axis < 3; ++axis) {
+                    grid.points.points[axis][row][column] = p[axis];
+                }
+            }
+            grid.points.Fill();
+            _BeginWhole(square, &grid);
+        }
+        _IntersectGrid(&grid, hitting);
     }
 
     void _GatherBezier(const Patch& patch, BezierRows* bezier) const {
@@ -403,7 +452,8 @@ class PatchIntersector {
         return _grids ? _grids->At(_surface, _patch, square) : _ownGrid;
     }
     bool _Holds(const EvaluatedGrid& grid, const Square& square) const {
-        return _grids && SharedGrids::Holds(grid, _surface, _patch, square);
+        return _grids && SharedGrids::Holds(grid, _surface, _patch, square) &&
+               grid.levels == _patchLevels;
     }
 
     void _Place(const GridPlace& place, EvaluatedGrid* grid) const {
@@ -412,6 +462,22 @@ class PatchIntersector {
         grid->square = place.square;
         grid->isTransposed = place.isTransposed;
         grid->tolerance = _tolerance;
+        grid->levels = _patchLevels;
+        grid->stitch = GridStitch();
+        if (_isStitched) {
+            _Stitch(grid);
+        }
+    }
+
+    /// Joins a grid to the neighbours of the patch that are coarser.
+    void _Stitch(EvaluatedGrid* grid) const {
+        const int side = grid->points.side;
+        grid->stitch = GridStitch(_patchLevels, grid->square, side, grid->isTransposed);
+        if (grid->stitch.IsNeeded()) {
+            _Require(0, std::max(side, LimitGrid::kLeastRows), grid);
+            grid->frame.Widen(kStitchMargin * grid->stitch.Apply(&grid->points));
+            grid->points.Fill();
+        }
     }
 
     /// Begins a grid whose Bezier patch is there: rows are evaluated when rays reach them.
@@ -473,11 +539,15 @@ class PatchIntersector {
         const int side = grid->points.side;
         const int lastRow = std::max(side - QuadWindow::kRows, 0);
         const int lastColumn = std::max(side - QuadWindow::kColumns, 0);
-        for (int i = ranges.firstRow[ray]; i <= ranges.lastRow[ray]; i += QuadWindow::kRows) {
+        int beginColumn = ranges.firstColumn[ray], endColumn = ranges.lastColumn[ray];
+        int beginRow = ranges.firstRow[ray], endRow = ranges.lastRow[ray];
+        if (grid->stitch.IsNeeded()) {
+            grid->stitch.Widen(&beginColumn, &endColumn, &beginRow, &endRow);
+        }
+        for (int i = beginRow; i <= endRow; i += QuadWindow::kRows) {
             const int row = std::min(i, lastRow);
             _Require(row, row + QuadWindow::kRows, grid);
-            for (int j = ranges.firstColumn[ray]; j <= ranges.lastColumn[ray];
-                 j += QuadWindow::kColumns) {
+            for (int j = beginColumn; j <= endColumn; j += QuadWindow::kColumns) {
                 ++_statistics.finalIntersections;
                 QuadWindow(grid->points, std::min(j, lastColumn), row, grid->tolerance, sheared)
                     .Intersect(hit);
@@ -497,13 +567,17 @@ class PatchIntersector {
         _hits->patch[ray] = _patch;
         const Square& square = grid.square;
         const float scale = square.size / static_cast<float>(grid.points.side);
-        _hits->u[ray] = square.u + scale * (grid.isTransposed ? hit.v : hit.u);
-        _hits->v[ray] = square.v + scale * (grid.isTransposed ? hit.u : hit.v);
+        float u = hit.u, v = hit.v;
+        if (grid.stitch.IsNeeded()) {
+            grid.stitch.ToUnmoved(hit.triangle, &u, &v);
+        }
+        _hits->u[ray] = square.u + scale * (grid.isTransposed ? v : u);
+        _hits->v[ray] = square.v + scale * (grid.isTransposed ? u : v);
     }
 
     const Surface& _surface;
     const uint32_t _instance;
-    const int _level;
+    const InstanceLevels _levels;
     Rays& _rays;
     HitPacket* const _hits;
     SharedGrids* const _grids;
@@ -512,6 +586,8 @@ class PatchIntersector {
     EvaluatedGrid _ownGrid;  ///< what is not shared
 
     uint32_t _patch = 0;
+    PatchLevels _patchLevels;
+    bool _isStitched = false;
     float _tolerance = 0;
     int _doneRays = 0;
     bool _isShortened = false;

@@ -6,6 +6,8 @@
 
 #include "core/trace/bezierRows.h"
 #include "core/trace/gridFrame.h"
+#include "core/trace/gridStitch.h"
+#include "core/trace/levelMetric.h"
 #include "core/trace/limitGrid.h"
 #include "core/trace/patchSquare.h"
 #include "core/trace/surface.h"
@@ -21,6 +23,8 @@ struct EvaluatedGrid {
     float tolerance = 0;        ///< how far apart neighbours may have points that they share
     uint64_t missingRows = 0;   ///< a bit for each row of points that is not evaluated yet
     BezierRows bezier;          ///< what missing rows are evaluated from
+    PatchLevels levels;         ///< of the patch, that the grid was made for
+    GridStitch stitch;          ///< that its points were moved by
     GridFrame frame;
     LimitGrid points;
 };

@@ -48,6 +48,7 @@ void Surface::SetPoints(const std::vector<Vec3f>& points) {
     _patchPoints = _patches.PatchPoints(points);
     SnapToLattice(&_patchPoints);
     _bvh.Move(LookAheadBounds(_patches, _plans, _patchPoints.data()));
+    _errors = ChordErrors(_patches, _plans, _patchPoints, Bounds().Diagonal());
 }
 
 const Tessellation& Surface::TessellationAt(int level) const {
@@ -75,7 +76,7 @@ void Surface::DropTessellation() {
 
 size_t Surface::Bytes() const {
     return _patches.Bytes() + _patchPoints.capacity() * sizeof(Vec3f) + _bvh.Bytes() +
-           _plans.Bytes() + TessellationBytes();
+           _plans.Bytes() + _errors.Bytes() + TessellationBytes();
 }
 
 size_t Surface::TessellationBytes() const {

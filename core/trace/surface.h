@@ -12,6 +12,7 @@
 #include "core/subdiv/controlMesh.h"
 #include "core/subdiv/limitGridPlan.h"
 #include "core/subdiv/patchTable.h"
+#include "core/trace/chordErrors.h"
 #include "core/trace/tessellation.h"
 
 namespace cc {
@@ -34,6 +35,7 @@ class Surface {
     const LimitGridPlans& Plans() const { return _plans; }
     /// The control points of the patches: cage points first, then those that refinement added.
     const std::vector<Vec3f>& PatchPoints() const { return _patchPoints; }
+    const ChordErrors& Errors() const { return _errors; }
     const Bvh& PatchBvh() const { return _bvh; }
     /// Bounds of the limit surface in object space.
     const Box3f& Bounds() const { return _bvh.Bounds(); }
@@ -54,6 +56,7 @@ class Surface {
     PatchTable _patches;
     LimitGridPlans _plans;
     std::vector<Vec3f> _patchPoints;
+    ChordErrors _errors;
     Bvh _bvh;
 
     mutable std::mutex _tessellationMutex;

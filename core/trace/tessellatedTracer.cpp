@@ -144,16 +144,17 @@ namespace {
 HWY_EXPORT(IntersectTessellations);
 HWY_EXPORT(OccludeTessellations);
 
-void DispatchIntersect(const InstanceBvh& instances, int level, ObjectRays* worldRays,
-                       const RayPacket& world, HitPacket* hits, SharedGrids*,
+void DispatchIntersect(const InstanceBvh& instances, const LevelMetric& levels,
+                       ObjectRays* worldRays, const RayPacket& world, HitPacket* hits, SharedGrids*,
                        TraceStatistics* statistics) {
     HWY_DYNAMIC_DISPATCH(IntersectTessellations)
-    (instances, level, worldRays, world, hits, statistics);
+    (instances, levels.Finest(), worldRays, world, hits, statistics);
 }
 
-void DispatchOcclude(const InstanceBvh& instances, int level, ObjectRays* worldRays,
+void DispatchOcclude(const InstanceBvh& instances, const LevelMetric& levels, ObjectRays* worldRays,
                      const RayPacket& world, SharedGrids*, TraceStatistics* statistics) {
-    HWY_DYNAMIC_DISPATCH(OccludeTessellations)(instances, level, worldRays, world, statistics);
+    HWY_DYNAMIC_DISPATCH(OccludeTessellations)(instances, levels.Finest(), worldRays, world,
+                                               statistics);
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ namespace HWY_NAMESPACE {
 
 /// Traces rays that are in world space already through the patches of all instances.
 template <class Rays, bool kAnyHit>
-void TracePatches(const InstanceBvh& instances, int level, const RayPacket& world,
+void TracePatches(const InstanceBvh& instances, const LevelMetric& levels, const RayPacket& world,
                   ObjectRays* worldRays, HitPacket* hits, SharedGrids* grids,
                   TraceStatistics* statistics) {
     constexpr ChildOrder kOrder = kAnyHit ? ChildOrder::Any : ChildOrder::NearestFirst;
@@ -25,7 +25,8 @@ void TracePatches(const InstanceBvh& instances, int level, const RayPacket& worl
                              [&](uint32_t instance, Rays* rays, const TraversalStart& start) {
                                  const Surface& surface = *instances.Instances()[instance].surface;
                                  PatchIntersector<Rays, kAnyHit> intersector(
-                                     surface, instance, level, rays, hits, grids, statistics);
+                                     instances.Instances()[instance], instance, levels, rays, hits,
+                                     grids, statistics);
                                  TraverseBvh<kOrder>(
                                      surface.PatchBvh(), start, rays, statistics,
                                      [&](uint32_t patch, uint64_t hitting, const Box3f& box) {
@@ -37,26 +38,26 @@ void TracePatches(const InstanceBvh& instances, int level, const RayPacket& worl
                              });
 }
 
-void IntersectPacket(const InstanceBvh& instances, int level, ObjectRays* worldRays,
+void IntersectPacket(const InstanceBvh& instances, const LevelMetric& levels, ObjectRays* worldRays,
                      const RayPacket& world, HitPacket* hits, SharedGrids* grids,
                      TraceStatistics* statistics) {
-    TracePatches<PacketRays, false>(instances, level, world, worldRays, hits, grids, statistics);
+    TracePatches<PacketRays, false>(instances, levels, world, worldRays, hits, grids, statistics);
 }
 
-void OccludePacket(const InstanceBvh& instances, int level, ObjectRays* worldRays,
+void OccludePacket(const InstanceBvh& instances, const LevelMetric& levels, ObjectRays* worldRays,
                    const RayPacket& world, SharedGrids* grids, TraceStatistics* statistics) {
-    TracePatches<PacketRays, true>(instances, level, world, worldRays, nullptr, grids, statistics);
+    TracePatches<PacketRays, true>(instances, levels, world, worldRays, nullptr, grids, statistics);
 }
 
-void IntersectSingle(const InstanceBvh& instances, int level, ObjectRays* worldRays,
+void IntersectSingle(const InstanceBvh& instances, const LevelMetric& levels, ObjectRays* worldRays,
                      const RayPacket& world, HitPacket* hits, SharedGrids* grids,
                      TraceStatistics* statistics) {
-    TracePatches<SingleRay, false>(instances, level, world, worldRays, hits, grids, statistics);
+    TracePatches<SingleRay, false>(instances, levels, world, worldRays, hits, grids, statistics);
 }
 
-void OccludeSingle(const InstanceBvh& instances, int level, ObjectRays* worldRays,
+void OccludeSingle(const InstanceBvh& instances, const LevelMetric& levels, ObjectRays* worldRays,
                    const RayPacket& world, SharedGrids* grids, TraceStatistics* statistics) {
-    TracePatches<SingleRay, true>(instances, level, world, worldRays, nullptr, grids, statistics);
+    TracePatches<SingleRay, true>(instances, levels, world, worldRays, nullptr, grids, statistics);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -72,16 +73,16 @@ HWY_EXPORT(OccludePacket);
 HWY_EXPORT(IntersectSingle);
 HWY_EXPORT(OccludeSingle);
 
-void DispatchIntersect(const InstanceBvh& instances, int level, ObjectRays* worldRays,
-                       const RayPacket& world, HitPacket* hits, SharedGrids* grids,
-                       TraceStatistics* statistics) {
-    HWY_DYNAMIC_DISPATCH(IntersectPacket)(instances, level, worldRays, world, hits, grids,
+void DispatchIntersect(const InstanceBvh& instances, const LevelMetric& levels,
+                       ObjectRays* worldRays, const RayPacket& world, HitPacket* hits,
+                       SharedGrids* grids, TraceStatistics* statistics) {
+    HWY_DYNAMIC_DISPATCH(IntersectPacket)(instances, levels, worldRays, world, hits, grids,
                                           statistics);
 }
 
-void DispatchOcclude(const InstanceBvh& instances, int level, ObjectRays* worldRays,
+void DispatchOcclude(const InstanceBvh& instances, const LevelMetric& levels, ObjectRays* worldRays,
                      const RayPacket& world, SharedGrids* grids, TraceStatistics* statistics) {
-    HWY_DYNAMIC_DISPATCH(OccludePacket)(instances, level, worldRays, world, grids, statistics);
+    HWY_DYNAMIC_DISPATCH(OccludePacket)(instances, levels, worldRays, world, grids, statistics);
 }
 
 void Clear(int count, HitPacket* hits) {
@@ -94,7 +95,8 @@ void Clear(int count, HitPacket* hits) {
 /// Traces whole packets: one subdivision of a patch serves up to 64 rays.
 class PacketTracer final : public Tracer {
   public:
-    PacketTracer(const PacketKernels& kernels, int level) : _kernels(kernels), _level(level) {}
+    PacketTracer(const PacketKernels& kernels, const LevelMetric& levels)
+        : _kernels(kernels), _levels(levels) {}
 
     void Intersect(const InstanceBvh& instances, RayPacket* rays, HitPacket* hits,
                    TraceStatistics* statistics, SharedGrids* grids) const override {
@@ -103,7 +105,7 @@ class PacketTracer final : public Tracer {
         Clear(kPacketSize, hits);
         ObjectRays world;
         TransformRays(*rays, AffineTransform(), &world);
-        _kernels.intersect(instances, _level, &world, *rays, hits, grids, statistics);
+        _kernels.intersect(instances, _levels, &world, *rays, hits, grids, statistics);
         std::copy(world.tMax, world.tMax + rays->count, rays->tMax);
     }
 
@@ -113,7 +115,7 @@ class PacketTracer final : public Tracer {
         statistics->rays += rays.count;
         ObjectRays world;
         TransformRays(rays, AffineTransform(), &world);
-        _kernels.occlude(instances, _level, &world, rays, grids, statistics);
+        _kernels.occlude(instances, _levels, &world, rays, grids, statistics);
         uint64_t occluded = 0;
         for (int i = 0; i < rays.count; ++i) {
             const bool wasActive = rays.tMin[i] <= rays.tMax[i];
@@ -124,13 +126,13 @@ class PacketTracer final : public Tracer {
 
   private:
     const PacketKernels _kernels;
-    const int _level;
+    const LevelMetric _levels;
 };
 
 /// Traces one ray at a time with the same kernels: what packets are measured against.
 class SingleTracer final : public Tracer {
   public:
-    explicit SingleTracer(int level) : _level(level) {}
+    explicit SingleTracer(const LevelMetric& levels) : _levels(levels) {}
 
     void Intersect(const InstanceBvh& instances, RayPacket* rays, HitPacket* hits,
                    TraceStatistics* statistics, SharedGrids* grids) const override {
@@ -142,7 +144,7 @@ class SingleTracer final : public Tracer {
             HitPacket hit;
             Clear(1, &hit);
             HWY_DYNAMIC_DISPATCH(IntersectSingle)
-            (instances, _level, &world, one, &hit, grids, statistics);
+            (instances, _levels, &world, one, &hit, grids, statistics);
             rays->tMax[i] = world.tMax[0];
             hits->instance[i] = hit.instance[0];
             hits->patch[i] = hit.patch[0];
@@ -161,7 +163,7 @@ class SingleTracer final : public Tracer {
             const RayPacket one = _Extract(rays, i, statistics);
             ObjectRays world;
             TransformRays(one, AffineTransform(), &world);
-            HWY_DYNAMIC_DISPATCH(OccludeSingle)(instances, _level, &world, one, grids, statistics);
+            HWY_DYNAMIC_DISPATCH(OccludeSingle)(instances, _levels, &world, one, grids, statistics);
             occluded |= uint64_t(world.tMax[0] < world.tMin[0]) << i;
         }
         return occluded;
@@ -184,27 +186,27 @@ class SingleTracer final : public Tracer {
         return one;
     }
 
-    const int _level;
+    const LevelMetric _levels;
 };
 
 }  // namespace
 
 Tracer::~Tracer() = default;
 
-std::unique_ptr<Tracer> MakePacketTracer(const PacketKernels& kernels, int level) {
-    return std::make_unique<PacketTracer>(kernels, level);
+std::unique_ptr<Tracer> MakePacketTracer(const PacketKernels& kernels, const LevelMetric& levels) {
+    return std::make_unique<PacketTracer>(kernels, levels);
 }
 
-std::unique_ptr<Tracer> MakeTracer(TracerKind kind, int level) {
+std::unique_ptr<Tracer> MakeTracer(TracerKind kind, const LevelMetric& levels) {
     switch (kind) {
         case TracerKind::Packet: break;
-        case TracerKind::Algorithm1: return MakePacketTracer(Algorithm1Kernels(), level);
+        case TracerKind::Algorithm1: return MakePacketTracer(Algorithm1Kernels(), levels);
         case TracerKind::Algorithm1WithTexture:
-            return MakePacketTracer(Algorithm1TextureKernels(), level);
-        case TracerKind::Single: return std::make_unique<SingleTracer>(level);
-        case TracerKind::Tessellated: return MakePacketTracer(TessellatedKernels(), level);
+            return MakePacketTracer(Algorithm1TextureKernels(), levels);
+        case TracerKind::Single: return std::make_unique<SingleTracer>(levels);
+        case TracerKind::Tessellated: return MakePacketTracer(TessellatedKernels(), levels);
     }
-    return MakePacketTracer({DispatchIntersect, DispatchOcclude}, level);
+    return MakePacketTracer({DispatchIntersect, DispatchOcclude}, levels);
 }
 
 }  // namespace cc

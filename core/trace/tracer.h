@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "core/trace/instance.h"
+#include "core/trace/levelMetric.h"
 #include "core/trace/rayPacket.h"
 #include "core/trace/sharedGrids.h"
 #include "core/trace/traceStatistics.h"
@@ -45,7 +46,8 @@ class Tracer {
     }
 };
 
-/// @param level  each base face is split into 2^level x 2^level quads, 0..8
-std::unique_ptr<Tracer> MakeTracer(TracerKind kind, int level);
+/// Makes a tracer. Packets and single rays see surfaces as finely cut as the metric says; the
+/// others, which have one level for all, at its finest.
+std::unique_ptr<Tracer> MakeTracer(TracerKind kind, const LevelMetric& levels);
 
 }  // namespace cc

@@ -185,27 +185,89 @@ std::string Describe(const Cage& cage, const RayPacket& rays, int i, const char*
     return text;
 }
 
-/// Points inside a placed cage at one level.
+/// Points inside a placed cage at one level, or at all up to that.
 /// @param candidates  points of the cage before it was placed
 std::vector<Vec3f> PlacedPoints(const PlacedCage& cage, const std::vector<Vec3f>& candidates,
-                                int level) {
+                                int level, bool isAdaptive) {
     std::vector<Vec3f> placed;
     for (const Vec3f& candidate : candidates) {
         const Vec3f point = cage.Place(candidate);
-        if (level >= kInsideLevel || cage.Encloses(point, level)) {
+        bool isInside = true;
+        for (int least = isAdaptive ? 0 : level; least <= level && least < kInsideLevel; ++least) {
+            isInside = isInside && cage.Encloses(point, least);
+        }
+        if (isInside) {
             placed.push_back(point);
         }
     }
     return placed;
 }
 
-/// Traces a cage with one tracer at one level.
+/// How finely a cage is cut: all over, or as a camera says that changes now and then.
+class ChangingLevels {
+  public:
+    ChangingLevels(const PlacedCage& cage, const WatertightCount& count, std::mt19937* random)
+        : _cage(cage), _count(count), _random(*random), _metric(count.level) {}
+
+    /// Returns true if the levels of what comes next differ from those before.
+    bool Change(uint64_t packet) {
+        if (_count.isAdaptive && packet % kPacketsOfEach == 0) {
+            _metric = _Random();
+            return true;
+        }
+        return packet == 0;
+    }
+    const LevelMetric& Metric() const { return _metric; }
+
+  private:
+    static constexpr uint64_t kPacketsOfEach = 8;
+
+    /// Levels fall off from the finest, at the surface's point nearest to the eye, to where they
+    /// are none.
+    LevelMetric _Random() {
+        const Surface& surface = _cage.GetSurface();
+        std::uniform_real_distribution<float> unit(0, 1);
+        const Box3f bounds = _cage.World().Bounds();
+        const float away = bounds.Diagonal() * std::exp2(-10 * unit(_random));
+        const auto patch = static_cast<uint32_t>(_random() % surface.Patches().Count());
+        const Vec3f on = _cage.ToWorld(
+            EvaluateLimitValue(surface.Patches(), patch, surface.PatchPoints().data(), 0, 0));
+        LevelView view{};
+        Vec3f forward{};
+        while (Length(forward) < 0.1f) {
+            forward = {unit(_random) - 0.5f, unit(_random) - 0.5f, unit(_random) - 0.5f};
+        }
+        view.forward = Normalize(forward);
+        for (int axis = 0; axis < 3; ++axis) {
+            view.eye[axis] = static_cast<double>(on[axis]) - away * view.forward[axis];
+        }
+        view.pixels = 1;
+        view.isOrthographic = false;
+        view.leastCosine = 0.3f + 0.7f * unit(_random);
+        const float size = bounds.Diagonal() / std::max(surface.Bounds().Diagonal(), 1e-30f);
+        const float error = surface.Errors().Largest() * size / away;
+        return {view, error * std::exp2(-2.0f * static_cast<float>(_count.level) * unit(_random)),
+                _count.level};
+    }
+
+    const PlacedCage& _cage;
+    const WatertightCount& _count;
+    std::mt19937& _random;
+    LevelMetric _metric;
+};
+
+/// Traces a cage with one tracer at one level, or levels up to that.
 void CountInCage(const Cage& source, const PlacedCage& cage, const std::vector<Vec3f>& inside,
                  uint64_t packets, std::mt19937* random, WatertightCount* count) {
-    const std::unique_ptr<Tracer> tracer = MakeTracer(count->tracer, count->level);
+    std::unique_ptr<Tracer> tracer;
+    ChangingLevels levels(cage, *count, random);
     Targets targets(cage, count->level, random);
     SharedGrids grids;
     for (uint64_t n = 0; n < packets && !inside.empty(); ++n) {
+        if (levels.Change(n)) {
+            tracer = MakeTracer(count->tracer, levels.Metric());
+            grids.Clear();
+        }
         const Vec3f& point = inside[n % inside.size()];
         const auto kind = static_cast<Targets::Kind>(n % Targets::kKindCount);
         const bool isAcross = (*random)() % 4 == 0, anyHit = (*random)() % 2 == 0;
@@ -275,7 +337,7 @@ std::vector<WatertightCount> CountEscapes(const std::vector<Cage>& closedCages,
     for (const Placement& placement : placements) {
         for (const int level : options.levels) {
             for (const TracerKind tracer : options.tracers) {
-                counts.push_back({level, tracer, placement.name, 0, 0, {}});
+                counts.push_back({level, options.isAdaptive, tracer, placement.name, 0, 0, {}});
             }
         }
     }
@@ -290,7 +352,8 @@ std::vector<WatertightCount> CountEscapes(const std::vector<Cage>& closedCages,
         for (const Placement& placement : placements) {
             const PlacedCage cage(source, placement);
             for (const int level : options.levels) {
-                const std::vector<Vec3f> inside = PlacedPoints(cage, candidates, level);
+                const std::vector<Vec3f> inside =
+                    PlacedPoints(cage, candidates, level, options.isAdaptive);
                 for (size_t i = 0; i < options.tracers.size(); ++i) {
                     CountInCage(source, cage, inside, share.Of(source), &random, count++);
                 }

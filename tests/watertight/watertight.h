@@ -23,6 +23,9 @@ struct WatertightOptions {
     uint64_t rays = 1'000'000;  ///< nearly so many
     uint32_t seed = 1;
     std::vector<int> levels{0, 1, 2, 3, 4, 5, 6};
+    /// Levels are then the finest that cameras ask for, which stand anywhere near the surface and
+    /// are as particular as makes levels differ.
+    bool isAdaptive = false;
     std::vector<TracerKind> tracers{TracerKind::Packet, TracerKind::Single};
     std::vector<Placement> placements;  ///< AllPlacements() if empty
 };
@@ -33,6 +36,7 @@ const std::vector<Placement>& AllPlacements();
 /// What came of one level, tracer and placement, over all cages.
 struct WatertightCount {
     int level;
+    bool isAdaptive;
     TracerKind tracer;
     std::string placement;
     uint64_t rays = 0, escapes = 0;

@@ -45,5 +45,13 @@ TEST(Watertight, NothingEscapesWherePatchesAreSplit) {
     ExpectNoEscapes(options);
 }
 
+TEST(Watertight, NothingEscapesBetweenLevels) {
+    WatertightOptions options;
+    options.rays = Repeats(500'000);
+    options.levels = {2, 4, 5};
+    options.isAdaptive = true;
+    ExpectNoEscapes(options);
+}
+
 }  // namespace
 }  // namespace cc::test
