@@ -147,10 +147,13 @@ HdAovDescriptor HdCCRenderDelegate::GetDefaultAovDescriptor(TfToken const &name)
         case cc::Aov::Color:
             return HdAovDescriptor(HdFormatFloat32Vec4, false, VtValue(GfVec4f(0)));
         case cc::Aov::Depth: return HdAovDescriptor(HdFormatFloat32, false, VtValue(1.0f));
-        case cc::Aov::CameraDepth: return HdAovDescriptor(HdFormatFloat32, false, VtValue(0.0f));
+        case cc::Aov::CameraDepth:
+        case cc::Aov::Cost: return HdAovDescriptor(HdFormatFloat32, false, VtValue(0.0f));
         case cc::Aov::PrimId:
         case cc::Aov::InstanceId:
-        case cc::Aov::ElementId: return HdAovDescriptor(HdFormatInt32, false, VtValue(-1));
+        case cc::Aov::ElementId:
+        case cc::Aov::Level:
+        case cc::Aov::Fan: return HdAovDescriptor(HdFormatInt32, false, VtValue(-1));
         case cc::Aov::Normal:
         case cc::Aov::Neye:
         case cc::Aov::Primvar:

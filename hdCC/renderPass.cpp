@@ -170,6 +170,9 @@ bool HdCCRenderPass::_MakeCamera(GfRect2i const &visible, cc::Camera *camera) co
     const int width = window.GetWidth(), height = window.GetHeight();
     const int left = visible.GetMinX(), bottom = visible.GetMinY();
     if (visible != window) {
+        camera->isCrop = true;
+        camera->wholeLower = lower;
+        camera->wholeUpper = upper;
         camera->windowLower = {narrow(lower.x, upper.x, window.GetMinX(), width, left),
                                narrow(lower.y, upper.y, window.GetMinY(), height, bottom)};
         camera->windowUpper = {

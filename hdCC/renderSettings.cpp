@@ -15,6 +15,8 @@ PXR_NAMESPACE_OPEN_SCOPE
 TF_DEFINE_PRIVATE_TOKENS(
     _tokens,
     ((tracer, "hdcc:tracer"))
+    ((adaptive, "hdcc:adaptive"))
+    ((pixelError, "hdcc:pixelError"))
     ((level, "hdcc:level"))
     ((integrator, "hdcc:integrator"))
     ((samples, "hdcc:samples"))
@@ -26,7 +28,7 @@ TF_DEFINE_PRIVATE_TOKENS(
 
 namespace {
 
-enum class _Kind { Choice, Integer, Aovs };
+enum class _Kind { Choice, Switch, Integer, Number, Aovs };
 
 struct _Setting {
     TfToken key;
@@ -34,7 +36,7 @@ struct _Setting {
     _Kind kind;
     VtValue defaultValue;
     std::vector<std::string> choices = {};
-    int lowest = 0, highest = 0;
+    double lowest = 0, highest = 0;
 };
 
 }  // namespace
@@ -64,6 +66,14 @@ static std::vector<_Setting> const &_Settings() {
     constexpr int kMostThreads = 1024;
     static const std::vector<_Setting> settings{
         {_tokens->tracer, "Tracer", _Kind::Choice, VtValue(std::string("packet")), _TracerNames()},
+        {_tokens->adaptive, "Adaptive levels", _Kind::Switch, VtValue(true)},
+        {_tokens->pixelError,
+         "Error of adaptive levels, in pixels",
+         _Kind::Number,
+         VtValue(0.25f),
+         {},
+         0.001,
+         1000},
         {_tokens->level, "Finest level", _Kind::Integer, VtValue(4), {}, 0, 8},
         {_tokens->integrator,
          "Integrator",
@@ -103,10 +113,14 @@ static std::string _AllowedText(_Setting const &setting) {
     if (setting.kind == _Kind::Aovs) {
         return "names of AOVs, separated by spaces or commas";
     }
-    const std::string lowest = TfStringPrintf("an integer from %d", setting.lowest);
+    if (setting.kind == _Kind::Switch) {
+        return "true or false";
+    }
+    char const *kind = setting.kind == _Kind::Integer ? "an integer" : "a number";
+    const std::string lowest = TfStringPrintf("%s from %.10g", kind, setting.lowest);
     return setting.highest == std::numeric_limits<int>::max()
                ? lowest + " up"
-               : lowest + TfStringPrintf(" to %d", setting.highest);
+               : lowest + TfStringPrintf(" to %.10g", setting.highest);
 }
 
 static bool _ToText(VtValue const &value, std::string *text) {
@@ -120,28 +134,62 @@ static bool _ToText(VtValue const &value, std::string *text) {
     return true;
 }
 
-/// Reads a number that is whole, whatever its type; text must be nothing but a number.
-static bool _ToWhole(VtValue const &value, double *number) {
+/// Reads a number, whatever its type; text must be nothing but a number.
+static bool _ToNumber(VtValue const &value, double *number) {
     std::string text;
     if (_ToText(value, &text)) {
         char *end = nullptr;
         *number = std::strtod(text.c_str(), &end);
-        return !text.empty() && *end == '\0' && std::floor(*number) == *number;
+        return !text.empty() && *end == '\0';
     }
     if (value.IsHolding<bool>() || !value.CanCast<double>()) {
         return false;
     }
     *number = VtValue::Cast<double>(value).GetWithDefault(std::nan(""));
-    return std::floor(*number) == *number;
+    return true;
+}
+
+/// Reads true or false, 1 or 0, or text that says one of these.
+static bool _ToSwitch(VtValue const &value, bool *isOn) {
+    std::string text;
+    double number = 0;
+    if (value.IsHolding<bool>()) {
+        *isOn = value.UncheckedGet<bool>();
+        return true;
+    }
+    if (_ToText(value, &text) && (text == "true" || text == "false")) {
+        *isOn = text == "true";
+        return true;
+    }
+    *isOn = _ToNumber(value, &number) && number == 1;
+    return *isOn || (_ToNumber(value, &number) && number == 0);
 }
 
 static bool _Check(_Setting const &setting, VtValue const &value, VtValue *checked) {
     if (setting.kind == _Kind::Integer) {
         double number = 0;
-        if (!_ToWhole(value, &number) || number < setting.lowest || number > setting.highest) {
+        if (!_ToNumber(value, &number) || std::floor(number) != number || number < setting.lowest ||
+            number > setting.highest) {
             return false;
         }
         *checked = VtValue(int(number));
+        return true;
+    }
+    if (setting.kind == _Kind::Number) {
+        double number = 0;
+        if (!_ToNumber(value, &number) ||
+            !(number >= setting.lowest && number <= setting.highest)) {
+            return false;
+        }
+        *checked = VtValue(float(number));
+        return true;
+    }
+    if (setting.kind == _Kind::Switch) {
+        bool isOn = false;
+        if (!_ToSwitch(value, &isOn)) {
+            return false;
+        }
+        *checked = VtValue(isOn);
         return true;
     }
     std::string text;
@@ -181,6 +229,8 @@ cc::RenderOptions HdCCRenderOptions(HdRenderDelegate const &delegate) {
         }
     }
     options.integrator = cc::IntegratorKind::Raycast;
+    options.adaptive = delegate.GetRenderSetting(_tokens->adaptive, options.adaptive);
+    options.pixelError = delegate.GetRenderSetting(_tokens->pixelError, options.pixelError);
     options.level = delegate.GetRenderSetting(_tokens->level, options.level);
     options.samples = delegate.GetRenderSetting(_tokens->samples, options.samples);
     options.seed = delegate.GetRenderSetting(_tokens->seed, options.seed);

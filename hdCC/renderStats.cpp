@@ -2,6 +2,8 @@
 
 #include <sys/resource.h>
 
+#include <algorithm>
+
 #include "pxr/base/vt/array.h"
 #include "pxr/base/vt/types.h"
 #include "pxr/base/vt/value.h"
@@ -41,12 +43,16 @@ static VtDictionary _PerPacket(cc::TraceStatistics const &trace) {
 }
 
 static VtDictionary _Levels(HdCCFrame const &frame) {
-    VtIntArray histogram(frame.options.level + 1, 0);
-    histogram[frame.options.level] = int(frame.scene.patches);
+    auto const &counts = frame.statistics.patchesByLevel;
+    int least = 0, most = 0;
+    for (int level = int(counts.size()) - 1; level >= 0; --level) {
+        least = counts[level] > 0 ? level : least;
+        most = std::max(most, counts[level] > 0 ? level : 0);
+    }
     VtDictionary levels;
-    levels["min"] = VtValue(frame.options.level);
-    levels["max"] = VtValue(frame.options.level);
-    levels["histogram"] = VtValue(histogram);
+    levels["min"] = VtValue(least);
+    levels["max"] = VtValue(most);
+    levels["histogram"] = VtValue(VtIntArray(counts.begin(), counts.begin() + most + 1));
     return levels;
 }
 

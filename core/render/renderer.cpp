@@ -5,11 +5,13 @@
 #include <memory>
 #include <vector>
 
+#include <tbb/blocked_range.h>
 #include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include "core/render/cameraRays.h"
+#include "core/render/levelView.h"
 #include "core/render/tileOrder.h"
 #include "core/render/tileRenderer.h"
 
@@ -48,7 +50,44 @@ size_t RenderTiles(const TileRenderer& renderer, const std::vector<Tile>& tiles,
     return done;
 }
 
+/// Patches of all instances by level.
+std::array<uint64_t, kFinestLevel + 1> CountLevels(const Scene& scene, const LevelMetric& metric) {
+    constexpr size_t kGrainSize = 4096;
+    std::array<std::atomic<uint64_t>, kFinestLevel + 1> counts{};
+    for (const Instance& instance : scene.Instances().Instances()) {
+        const InstanceLevels levels(metric, instance);
+        const size_t count = instance.surface->Patches().Count();
+        if (levels.IsUniform()) {
+            counts[levels.Uniform()] += count;
+            continue;
+        }
+        const tbb::blocked_range<size_t> all(0, count, kGrainSize);
+        tbb::parallel_for(all, [&](const tbb::blocked_range<size_t>& part) {
+            uint64_t own[kFinestLevel + 1] = {};
+            for (size_t patch = part.begin(); patch < part.end(); ++patch) {
+                ++own[levels.Of(static_cast<uint32_t>(patch)).interior];
+            }
+            for (int level = 0; level <= kFinestLevel; ++level) {
+                counts[level] += own[level];
+            }
+        });
+    }
+    std::array<uint64_t, kFinestLevel + 1> result{};
+    std::copy(counts.begin(), counts.end(), result.begin());
+    return result;
+}
+
 }  // namespace
+
+LevelMetric MakeLevelMetric(const Camera& camera, int width, int height,
+                            const RenderOptions& options) {
+    const bool canAdapt =
+        options.tracer == TracerKind::Packet || options.tracer == TracerKind::Single;
+    if (!options.adaptive || !canAdapt) {
+        return options.level;
+    }
+    return {MakeLevelView(camera, width, height), options.pixelError, options.level};
+}
 
 bool RenderFrame(const Scene& scene, const Camera& camera, const RenderOptions& options, Film* film,
                  RenderStatistics* statistics, std::atomic<int64_t>* progress,
@@ -71,14 +110,17 @@ bool RenderFrame(const Scene& scene, const Camera& camera, const RenderOptions& 
     if (valid.tracer == TracerKind::Tessellated && !scene.TessellationFits()) {
         valid.tracer = TracerKind::Packet;  // as Scene::Build has said
     }
-    const std::unique_ptr<Tracer> tracer = MakeTracer(valid.tracer, valid.level);
-    const TileRenderer renderer(scene, cameraRays, *tracer, valid, film);
+    const LevelMetric levels = MakeLevelMetric(camera, film->Width(), film->Height(), valid);
+    const std::unique_ptr<Tracer> tracer = MakeTracer(valid.tracer, levels);
+    const TileRenderer renderer(scene, cameraRays, *tracer, levels, valid, film);
     const std::vector<Tile> tiles = TilesFromTheMiddle(film->Width(), film->Height());
     std::vector<RenderStatistics> workers(valid.threads);
     const size_t done = RenderTiles(renderer, tiles, valid.threads, &workers, progress, stop);
     for (const RenderStatistics& worker : workers) {
         *statistics += worker;
     }
+    tbb::task_arena arena(valid.threads);
+    arena.execute([&] { statistics->patchesByLevel = CountLevels(scene, levels); });
     statistics->seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return done == tiles.size();

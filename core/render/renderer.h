@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 
@@ -17,7 +18,12 @@ enum class IntegratorKind { Raycast };
 struct RenderOptions {
     TracerKind tracer = TracerKind::Packet;
     IntegratorKind integrator = IntegratorKind::Raycast;
-    int level = 4;     ///< 0..8
+    /// Cut surfaces as finely as the camera needs: packets and single rays do, other tracers do
+    /// not.
+    bool adaptive = true;
+    /// Pixels that quads may be off the surface by in the picture; above 0.
+    float pixelError = 0.25f;
+    int level = 4;     ///< 0..8, the finest if adaptive, else of all
     int samples = 16;  ///< a pixel, 1 or more
     int seed = 0;
     int threads = 0;  ///< up to 1024; 0: as many as there are cores
@@ -31,6 +37,8 @@ struct RenderStatistics {
     /// Seconds inside the tracer, added up over threads.
     double primarySeconds = 0, shadowSeconds = 0;
     double seconds = 0;  ///< wall time of the frame
+    /// The scene's patches by the level that they are cut to inside.
+    std::array<uint64_t, kFinestLevel + 1> patchesByLevel{};
     TraceStatistics trace;
 
     RenderStatistics& operator+=(const RenderStatistics& b) {
@@ -44,6 +52,10 @@ struct RenderStatistics {
         return *this;
     }
 };
+
+/// How finely a frame cuts surfaces.
+LevelMetric MakeLevelMetric(const Camera& camera, int width, int height,
+                            const RenderOptions& options);
 
 /// Renders a built scene into the planes that the film has. The result is the same for any number
 /// of threads. Ids, depths and normals are those of the pixel's centre; colour is the average of

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "core/subdiv/limitPoint.h"
@@ -61,8 +62,7 @@ Vec3f NormalInTriangle(const Corner& corner, int segments, float u, float v) {
 
 Vec3f TriangleNormal(const Surface& surface, uint32_t patch, float u, float v, int level) {
     const PatchTable& patches = surface.Patches();
-    // As tracers do: a mesh that is refined deeper than the level is traced at that depth.
-    const int splits = std::max(level, patches.MaxDepth()) - patches.At(patch).depth;
+    const int splits = level - patches.At(patch).depth;
     const auto corner = [&](float cu, float cv) {
         return EvaluateLimitValue(patches, patch, surface.PatchPoints().data(), cu, cv);
     };
@@ -71,15 +71,17 @@ Vec3f TriangleNormal(const Surface& surface, uint32_t patch, float u, float v, i
 }
 
 bool IsBehind(const Instance& instance, const LimitPoint& limit, const RayPacket& rays,
-              const HitPacket& hits, int lane, int level) {
+              const HitPacket& hits, int lane, const LevelMetric& levels) {
+    const PatchLevels of = InstanceLevels(levels, instance).Of(hits.patch[lane]);
+    const int coarsest = *std::min_element(std::begin(of.edges), std::end(of.edges));
     const Vec3f direction = Normalize(instance.worldToObject.Direction(RayDirection(rays, lane)));
     const float cosine = Dot(limit.normal, direction);
-    if (std::fabs(cosine) > GrazingCosine(level)) {
+    if (std::fabs(cosine) > GrazingCosine(coarsest)) {
         return cosine > 0;
     }
     // At silhouettes the triangle decides: a flipped normal would be lit from the far side.
-    const Vec3f normal =
-        TriangleNormal(*instance.surface, hits.patch[lane], hits.u[lane], hits.v[lane], level);
+    const Vec3f normal = TriangleNormal(*instance.surface, hits.patch[lane], hits.u[lane],
+                                        hits.v[lane], of.interior);
     const float orientation = Dot(normal, limit.normal);
     return orientation == 0 ? cosine > 0 : (Dot(normal, direction) > 0) == (orientation > 0);
 }
@@ -115,7 +117,8 @@ Vec3f ShadingNormal(const Instance& instance, const Vec3f& authored, const Vec3f
 }  // namespace
 
 ShadingPoint MakeShadingPoint(const Instance& instance, const Vec3f& authoredNormal,
-                              const RayPacket& rays, const HitPacket& hits, int lane, int level) {
+                              const RayPacket& rays, const HitPacket& hits, int lane,
+                              const LevelMetric& levels) {
     const LimitPoint limit = LimitAtHit(instance, hits, lane);
     const Vec3f direction = RayDirection(rays, lane);
     const Vec3f origin{rays.originX[lane], rays.originY[lane], rays.originZ[lane]};
@@ -124,7 +127,7 @@ ShadingPoint MakeShadingPoint(const Instance& instance, const Vec3f& authoredNor
     ShadingPoint point;
     point.position = instance.objectToWorld.Point(limit.position);
     point.normal = Normalize(instance.worldToObject.NormalByInverse(limit.normal));
-    if (IsBehind(instance, limit, rays, hits, lane, level)) {
+    if (IsBehind(instance, limit, rays, hits, lane, levels)) {
         point.normal = -point.normal;
     }
     if (point.normal == Vec3f{}) {
@@ -144,8 +147,8 @@ ShadingPoint MakeShadingPoint(const Instance& instance, const Vec3f& authoredNor
 }
 
 bool IsHitFromBehind(const Instance& instance, const RayPacket& rays, const HitPacket& hits,
-                     int lane, int level) {
-    return IsBehind(instance, LimitAtHit(instance, hits, lane), rays, hits, lane, level);
+                     int lane, const LevelMetric& levels) {
+    return IsBehind(instance, LimitAtHit(instance, hits, lane), rays, hits, lane, levels);
 }
 
 }  // namespace cc

@@ -2,6 +2,7 @@
 
 #include "core/math/vec.h"
 #include "core/trace/instance.h"
+#include "core/trace/levelMetric.h"
 #include "core/trace/rayPacket.h"
 
 namespace cc {
@@ -23,12 +24,13 @@ struct ShadingPoint {
 /// Makes all but the albedo.
 /// @param authoredNormal  in object space and of any length; zero for the surface's own
 /// @param lane   of a ray that hit the instance
-/// @param level  that the tracer traced
+/// @param levels  that the tracer traced
 ShadingPoint MakeShadingPoint(const Instance& instance, const Vec3f& authoredNormal,
-                              const RayPacket& rays, const HitPacket& hits, int lane, int level);
+                              const RayPacket& rays, const HitPacket& hits, int lane,
+                              const LevelMetric& levels);
 
 /// True if a ray hit the inner side: the one that the limit surface's normal points away from.
 bool IsHitFromBehind(const Instance& instance, const RayPacket& rays, const HitPacket& hits,
-                     int lane, int level);
+                     int lane, const LevelMetric& levels);
 
 }  // namespace cc

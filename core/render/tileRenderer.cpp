@@ -5,6 +5,7 @@
 
 #include "core/render/directLight.h"
 #include "core/render/pixelSampler.h"
+#include "core/trace/gridStitch.h"
 
 namespace cc {
 namespace {
@@ -48,8 +49,13 @@ void Store(const Vec3f& v, float* values) {
 }  // namespace
 
 TileRenderer::TileRenderer(const Scene& scene, const CameraRays& camera, const Tracer& tracer,
-                           const RenderOptions& options, Film* film)
-    : _scene(scene), _camera(camera), _tracer(tracer), _options(options), _film(film) {
+                           const LevelMetric& levels, const RenderOptions& options, Film* film)
+    : _scene(scene),
+      _camera(camera),
+      _tracer(tracer),
+      _levels(levels),
+      _options(options),
+      _film(film) {
     for (size_t i = 0; i < scene.Instances().Instances().size(); ++i) {
         _hasCulling = _hasCulling || scene.InstanceMesh(static_cast<uint32_t>(i)).CullBackFaces();
     }
@@ -60,8 +66,11 @@ void TileRenderer::Render(const Tile& tile, RenderWorker* worker) const {
     float rgba[4 * kPacketSize] = {};
     const int samples = _film->Has(Aov::Color) ? std::max(_options.samples, 1) : 1;
     for (int i = 0; i < samples; ++i) {
+        const TraceStatistics before = worker->statistics.trace;
         _TraceSample(tile, i, &sample, worker);
         if (i == 0) {
+            _WriteCost(tile, before, worker->statistics.trace);
+            _WriteLevels(tile, sample);
             _WriteSurface(tile, sample);
             for (const Aov& aov : _film->Aovs()) {
                 if (aov.kind == Aov::Primvar) {
@@ -106,8 +115,7 @@ void TileRenderer::_Intersect(RayPacket* rays, HitPacket* hits, RenderWorker* wo
 bool TileRenderer::_IsCulled(const RayPacket& rays, const HitPacket& hits, int lane) const {
     const uint32_t instance = hits.instance[lane];
     return instance != kNoHit && _scene.InstanceMesh(instance).CullBackFaces() &&
-           IsHitFromBehind(_scene.Instances().Instances()[instance], rays, hits, lane,
-                           _options.level);
+           IsHitFromBehind(_scene.Instances().Instances()[instance], rays, hits, lane, _levels);
 }
 
 void TileRenderer::_PassThroughCulled(Sample* sample, RenderWorker* worker) const {
@@ -150,7 +158,7 @@ ShadingPoint TileRenderer::_Shade(const Sample& sample, int lane) const {
     const Vec3f authored =
         _scene.InstanceMesh(instance).AuthoredNormal(hits.patch[lane], hits.u[lane], hits.v[lane]);
     return MakeShadingPoint(_scene.Instances().Instances()[instance], authored, sample.rays, hits,
-                            lane, _options.level);
+                            lane, _levels);
 }
 
 void TileRenderer::_AddColor(const Sample& sample, float* rgba, RenderWorker* worker) const {
@@ -213,6 +221,47 @@ void TileRenderer::_WriteSurface(const Tile& tile, const Sample& sample) const {
             if (normal) Store(n, normal + 3 * pixel);
             if (neye) Store(_camera.CameraNormal(n), neye + 3 * pixel);
         }
+    }
+}
+
+void TileRenderer::_WriteLevels(const Tile& tile, const Sample& sample) const {
+    int32_t* level = _film->Ints(Aov::Level);
+    int32_t* fan = _film->Ints(Aov::Fan);
+    if (!level && !fan) {
+        return;
+    }
+    const HitPacket& hits = sample.hits;
+    for (int lane = 0; lane < sample.rays.count; ++lane) {
+        const size_t pixel = PixelOf(tile, lane, _film->Width());
+        PatchLevels levels;
+        bool isInFan = false;
+        if (sample.IsHit(lane)) {
+            const Instance& instance = _scene.Instances().Instances()[hits.instance[lane]];
+            levels = InstanceLevels(_levels, instance).Of(hits.patch[lane]);
+            const int depth = instance.surface->Patches().At(hits.patch[lane]).depth;
+            isInFan = GridStitch(levels, {0, 0, 1}, 1 << (levels.interior - depth), false)
+                          .IsInFan({hits.u[lane], hits.v[lane]});
+        }
+        if (level) level[pixel] = sample.IsHit(lane) ? levels.interior : -1;
+        if (fan) fan[pixel] = sample.IsHit(lane) ? int{isInFan} : -1;
+    }
+}
+
+void TileRenderer::_WriteCost(const Tile& tile, const TraceStatistics& before,
+                              const TraceStatistics& after) const {
+    float* cost = _film->Floats(Aov::Cost);
+    if (!cost) {
+        return;
+    }
+    const auto steps = [](const TraceStatistics& s) {
+        return s.traversals + s.leafIntersections + s.subdivisionsRegular +
+               s.subdivisionsIrregular + s.finalIntersections;
+    };
+    const int count = tile.width * tile.height;
+    const auto perRay =
+        static_cast<float>(steps(after) - steps(before)) / static_cast<float>(count);
+    for (int lane = 0; lane < count; ++lane) {
+        cost[PixelOf(tile, lane, _film->Width())] = perRay;
     }
 }
 

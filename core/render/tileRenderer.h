@@ -14,8 +14,9 @@ namespace cc {
 /// threads may render different tiles.
 class TileRenderer {
   public:
+    /// @param levels  that the tracer was made with
     TileRenderer(const Scene& scene, const CameraRays& camera, const Tracer& tracer,
-                 const RenderOptions& options, Film* film);
+                 const LevelMetric& levels, const RenderOptions& options, Film* film);
 
     void Render(const Tile& tile, RenderWorker* worker) const;
 
@@ -36,11 +37,16 @@ class TileRenderer {
     void _AddColor(const Sample& sample, float* rgba, RenderWorker* worker) const;
     void _WriteColor(const Tile& tile, const float* rgba) const;
     void _WriteSurface(const Tile& tile, const Sample& sample) const;
+    void _WriteLevels(const Tile& tile, const Sample& sample) const;
+    /// @param before  what the worker had counted before the sample
+    void _WriteCost(const Tile& tile, const TraceStatistics& before,
+                    const TraceStatistics& after) const;
     void _WritePrimvar(const Tile& tile, const Sample& sample, const Aov& aov) const;
 
     const Scene& _scene;
     const CameraRays& _camera;
     const Tracer& _tracer;
+    const LevelMetric& _levels;
     const RenderOptions& _options;
     Film* _film;
     bool _hasCulling = false;

@@ -110,4 +110,11 @@ bool GridStitch::IsInFan(int column, int row) const {
            (column == _side - 1 && _steps[kHighColumn] > 1);
 }
 
+bool GridStitch::IsInFan(const Vec2f& at) const {
+    const auto quad = [this](float x) {
+        return std::min(static_cast<int>(x * static_cast<float>(_side)), _side - 1);
+    };
+    return IsInFan(quad(at.x), quad(at.y));
+}
+
 }  // namespace cc

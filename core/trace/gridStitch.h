@@ -37,6 +37,8 @@ class GridStitch {
 
     /// True if a quad has points that have moved.
     bool IsInFan(int column, int row) const;
+    /// The same of a place in the square, from (0,0) to (1,1).
+    bool IsInFan(const Vec2f& at) const;
 
   private:
     enum Border { kLowRow, kHighColumn, kHighRow, kLowColumn };

@@ -66,6 +66,10 @@ InstanceLevels::InstanceLevels(const LevelMetric& metric, const Instance& instan
 }
 
 PatchLevels InstanceLevels::Of(uint32_t patch) const {
+    if (_isUniform) {
+        const auto level = static_cast<uint8_t>(_least);
+        return {level, {level, level, level, level}};
+    }
     EdgePoints ends[4];
     _surface.Patches().EdgeEnds(patch, ends);
     PatchLevels levels;

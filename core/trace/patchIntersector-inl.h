@@ -13,6 +13,7 @@
 
 #include "core/subdiv/extraordinaryPatch.h"
 #include "core/subdiv/irregularPatch.h"
+#include "core/subdiv/limitGrid.h"
 #include "core/subdiv/limitPoint.h"
 #include "core/trace/bezierRows-inl.h"
 #include "core/trace/gridFrame-inl.h"
@@ -182,14 +183,21 @@ class PatchIntersector {
         if (_levels.IsUniform()) {
             return _levels.Uniform();
         }
-        _patchLevels = _levels.Of(patch);
+        if (_grids) {
+            HeldLevels& held = _grids->LevelsAt(_instance, patch);
+            if (held.instance != _instance || held.patch != patch) {
+                held = {_instance, patch, _levels.Of(patch)};
+            }
+            _patchLevels = held.levels;
+        } else {
+            _patchLevels = _levels.Of(patch);
+        }
         _isStitched = !_patchLevels.AreEqual();
         return _patchLevels.interior;
     }
 
     /// Intersects rays with a part of a patch that no plan holds and that must be stitched: its
-    /// borders may end beyond the parts that subdivision would leave. Its points are evaluated one
-    /// by one.
+    /// borders may end beyond the parts that subdivision would leave.
     void _IntersectTiles(const Square& square, int splits, uint64_t hitting) {
         if (splits > kMaxGridSplits) {
             for (int i = 0; i < 4; ++i) {
@@ -199,22 +207,46 @@ class PatchIntersector {
         }
         EvaluatedGrid& grid = _GridAt(square);
         if (!_Holds(grid, square)) {
-            const int side = grid.points.side = 1 << splits;
-            const float step = square.size / static_cast<float>(side);
-            for (int i = 0; i < (side + 1) * (side + 1); ++i) {
-                const int row = i / (side + 1), column = i % (side + 1);
-                const Vec3f p =
-                    EvaluateLimitValue(_surface.Patches(), _patch, _surface.PatchPoints().data(),
-                                       square.u + step * static_cast<float>(column),
-                                       square.v + step * static_cast<float>(row));
-                for (int axis = 0; axis < 3; ++axis) {
-                    grid.points.points[axis][row][column] = p[axis];
-                }
-            }
-            grid.points.Fill();
+            _EvaluateTile(square, splits, &grid.points);
             _BeginWhole(square, &grid);
         }
         _IntersectGrid(&grid, hitting);
+    }
+
+    void _EvaluateTile(const Square& square, int splits, LimitGrid* grid) const {
+        constexpr int kStride = kMaxGridSide + 1;
+        Vec3f points[kStride * kStride];
+        const int side = grid->side = 1 << splits;
+        if (square.size == 1) {
+            _EvaluateWhole({points, kStride, side});
+        } else {
+            const float step = square.size / static_cast<float>(side);
+            for (int i = 0; i < (side + 1) * (side + 1); ++i) {
+                const int row = i / (side + 1), column = i % (side + 1);
+                points[kStride * row + column] =
+                    EvaluateLimitValue(_surface.Patches(), _patch, _surface.PatchPoints().data(),
+                                       square.u + step * static_cast<float>(column),
+                                       square.v + step * static_cast<float>(row));
+            }
+        }
+        for (int row = 0; row <= side; ++row) {
+            for (int column = 0; column <= side; ++column) {
+                for (int axis = 0; axis < 3; ++axis) {
+                    grid->points[axis][row][column] = points[kStride * row + column][axis];
+                }
+            }
+        }
+        grid->Fill();
+    }
+
+    void _EvaluateWhole(const LimitSquare& square) const {
+        const PatchTable& patches = _surface.Patches();
+        const Vec3f* points = _surface.PatchPoints().data();
+        if (patches.At(_patch).kind == PatchKind::Extraordinary) {
+            EvaluateLimitGrid(GatherExtraordinary(patches, _patch, points), square);
+        } else {
+            EvaluateLimitGrid(GatherIrregular(patches, _patch, points), square);
+        }
     }
 
     void _GatherBezier(const Patch& patch, BezierRows* bezier) const {

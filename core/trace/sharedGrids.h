@@ -10,6 +10,7 @@
 #include "core/trace/levelMetric.h"
 #include "core/trace/limitGrid.h"
 #include "core/trace/patchSquare.h"
+#include "core/trace/rayPacket.h"
 #include "core/trace/surface.h"
 
 namespace cc {
@@ -29,12 +30,22 @@ struct EvaluatedGrid {
     LimitGrid points;
 };
 
+/// The levels of a patch of an instance.
+struct HeldLevels {
+    uint32_t instance, patch;
+    PatchLevels levels;
+};
+
 /// The limit grids that the rays of a batch share: a few of those that were evaluated last. They
 /// take the same memory however large the scene is, and die with the batch. One a thread; surfaces
 /// must not change meanwhile.
 class SharedGrids {
   public:
-    SharedGrids() : _grids(std::make_unique<EvaluatedGrid[]>(kCount)) {}
+    SharedGrids()
+        : _grids(std::make_unique<EvaluatedGrid[]>(kCount)),
+          _levels(std::make_unique<HeldLevels[]>(kLevelCount)) {
+        Clear();
+    }
 
     /// The place of a grid. If it holds another grid, or none, whoever asks fills it.
     EvaluatedGrid& At(const Surface& surface, uint32_t patch, const Square& square) {
@@ -43,10 +54,18 @@ class SharedGrids {
         return _grids[((patch ^ mesh) * 0x9e3779b1u + part * 0x85ebca6bu) >> (32 - kBits)];
     }
 
+    /// The place of a patch's levels. If it holds another's, whoever asks fills it.
+    HeldLevels& LevelsAt(uint32_t instance, uint32_t patch) {
+        return _levels[(patch * 0x9e3779b1u + instance * 0x85ebca6bu) >> (32 - kLevelBits)];
+    }
+
     /// Ends a batch: what follows may trace other surfaces, or the same at another level.
     void Clear() {
         for (int i = 0; i < kCount; ++i) {
             _grids[i].surface = nullptr;
+        }
+        for (int i = 0; i < kLevelCount; ++i) {
+            _levels[i].instance = kNoHit;
         }
     }
 
@@ -58,7 +77,9 @@ class SharedGrids {
 
   private:
     static constexpr int kBits = 7, kCount = 1 << kBits;
+    static constexpr int kLevelBits = 10, kLevelCount = 1 << kLevelBits;
     std::unique_ptr<EvaluatedGrid[]> _grids;
+    std::unique_ptr<HeldLevels[]> _levels;
 };
 
 }  // namespace cc

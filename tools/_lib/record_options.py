@@ -28,6 +28,9 @@ AOVS = (
     "elementId",
     "normal",
     "Neye",
+    "hdcc:level",
+    "hdcc:fan",
+    "hdcc:cost",
     "primvars:NAME",
 )
 MAX_IMAGE_SIZE = 32768
