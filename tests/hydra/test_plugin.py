@@ -15,6 +15,8 @@ from pxr import Sdf, Tf, Usd, UsdImagingGL, UsdRender
 
 DEFAULTS = {
     "hdcc:tracer": "packet",
+    "hdcc:adaptive": True,
+    "hdcc:pixelError": 0.25,
     "hdcc:level": 4,
     "hdcc:integrator": "raycast",
     "hdcc:samples": 16,
@@ -47,6 +49,13 @@ def test_settings_are_listed() -> None:
 @pytest.mark.parametrize(
     ("key", "value", "taken"),
     [
+        ("hdcc:adaptive", False, False),
+        ("hdcc:adaptive", "false", False),
+        ("hdcc:adaptive", "true", True),
+        ("hdcc:adaptive", 0, False),
+        ("hdcc:adaptive", "1", True),
+        ("hdcc:pixelError", 2, 2.0),
+        ("hdcc:pixelError", "0.5", 0.5),
         ("hdcc:level", 8, 8),
         ("hdcc:level", 3.0, 3),
         ("hdcc:level", "5", 5),
@@ -68,6 +77,14 @@ def test_setting_is_taken(key: str, value: Any, taken: Any) -> None:
 @pytest.mark.parametrize(
     ("key", "value", "allowed"),
     [
+        ("hdcc:adaptive", 2, "true or false"),
+        ("hdcc:adaptive", "yes", "true or false"),
+        ("hdcc:adaptive", "", "true or false"),
+        ("hdcc:pixelError", 0, "0.001 to 1000"),
+        ("hdcc:pixelError", -1.0, "a number from"),
+        ("hdcc:pixelError", float("nan"), "a number from"),
+        ("hdcc:pixelError", "fine", "a number from"),
+        ("hdcc:pixelError", True, "a number from"),
         ("hdcc:level", 9, "0 to 8"),
         ("hdcc:level", -1, "0 to 8"),
         ("hdcc:level", 2.5, "integer"),

@@ -19,6 +19,8 @@ UNSEEN = ("absurd_camera", "zero_clip_range")
 SCENES = [scene for scene in ALL_SCENES if scene.stem not in UNSEEN]
 AOVS = ("primId", "instanceId", "elementId", "cameraDepth")
 OPTIONS = ("--imageWidth", "160", "--set", "hdcc:samples=8", "--set", "hdcc:level=4")
+#: One level for all, which all tracers have.
+OPTIONS += ("--set", "hdcc:adaptive=false")
 #: Options of scenes that need others; the last one given holds.
 MORE_OPTIONS: dict[str, tuple[str, ...]] = {
     "hero": ("--imageWidth", "180"),
@@ -114,3 +116,51 @@ def test_baselines_belong_to_scenes_and_are_small() -> None:
     for baseline in BASELINES.glob("*"):
         assert baseline.stem in names, f"{baseline.name} has no scene"
         assert baseline.stat().st_size < MOST_BYTES, f"{baseline.name} is too large"
+
+
+def _is_beside_edge(ids: np.ndarray) -> np.ndarray:
+    """Pixels next to another prim or face, or to nothing."""
+    height, width = ids.shape
+    beside = np.zeros(ids.shape, bool)
+    padded = np.pad(ids, 1, mode="edge")
+    for row in range(3):
+        for column in range(3):
+            beside |= padded[row : row + height, column : column + width] != ids
+    return beside
+
+
+def _adaptive(scene: Path, picture: Path, *more: str) -> dict[str, np.ndarray]:
+    options = ("hdcc:adaptive=true", "hdcc:samples=1", "hdcc:level=6", *more)
+    _render(scene, picture, *[word for option in options for word in ("--set", option)])
+    return _compared(scene, picture)
+
+
+@pytest.mark.parametrize("scene", SCENES, ids=_name)
+def test_adaptive_levels_show_the_surface(
+    scene: Path, tmp_path: Path, update_baselines: bool
+) -> None:
+    """Adaptive levels show what the finest level shows, but at silhouettes and edges of faces."""
+    if update_baselines:
+        pytest.skip("makes no baseline")
+    adaptive = _adaptive(scene, tmp_path / "adaptive.exr")
+    finest = _adaptive(scene, tmp_path / "finest.exr", "hdcc:adaptive=false")
+    for name in {"primId", "instanceId", "elementId"} & set(finest):
+        ids = finest[name][..., 0]
+        is_other = adaptive[name][..., 0] != ids
+        beside = _is_beside_edge(ids)
+        assert not (is_other & ~beside).any(), name
+        # A quarter of a pixel at most, and mostly far less.
+        assert is_other.sum() <= 2 + 0.02 * beside.sum(), name
+
+
+@pytest.mark.parametrize("name", ["hero", "features/catalogue", "features/loop"])
+def test_adaptive_levels_are_those_of_single_rays(
+    name: str, tmp_path: Path, update_baselines: bool
+) -> None:
+    if update_baselines:
+        pytest.skip("makes no baseline")
+    scene = ROOT / "usd_scenes" / f"{name}.usda"
+    packet = _adaptive(scene, tmp_path / "packet.exr")
+    single = _adaptive(scene, tmp_path / "single.exr", "hdcc:tracer=single")
+    for layer, plane in packet.items():
+        assert np.array_equal(plane, single[layer]), layer
