@@ -13,9 +13,13 @@
 //     load-rays FILE
 //     trace TRACER LEVEL SET THREADS     SET is a name such as primary
 //     texture TRACER LEVEL SET THREADS   as trace, and texture coordinates at the hits
-//     compare TRACER LEVEL SET           nearest hits that differ from those of packet
+//     compare TRACER LEVEL SET [LEVEL]   nearest hits that differ from those of packet, at the same
+//                                        level or another
 //     memory                             what the structures hold
+//
+// The tracer "adaptive" is "packet" with levels as the camera needs them, up to LEVEL.
 
+#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <map>
@@ -25,6 +29,8 @@
 
 #include "builtScene.h"
 #include "commands.h"
+#include "core/render/levelView.h"
+#include "core/render/renderer.h"
 #include "rayMaker.h"
 #include "tracing.h"
 
@@ -89,16 +95,17 @@ class Bench {
     }
 
     Answer LoadRays(const Words& words) {
+        _tracers.clear();
         _sets = ReadRays(WordAt(words, 0));
         return Answer().Count("sets", _sets.size());
     }
 
     Answer Trace(const Words& words, HitValues values) {
-        const cc::TracerKind kind = TracerKindOfName(WordAt(words, 0));
+        const std::string& tracer = WordAt(words, 0);
         const int level = NumberAt(words, 1, 0, 8), threads = NumberAt(words, 3, 1, kMaxThreads);
         _RequireScene();
         cc::TraceStatistics s;
-        const TraceRun run = TraceRays(_built->Scene(), _TracerFor(kind, level),
+        const TraceRun run = TraceRays(_built->Scene(), _TracerFor(tracer, level),
                                        _SetOfName(WordAt(words, 2)), threads, values, &s);
         return Answer()
             .Number("seconds", run.seconds)
@@ -118,12 +125,13 @@ class Bench {
     }
 
     Answer Compare(const Words& words) {
-        const cc::TracerKind kind = TracerKindOfName(WordAt(words, 0));
+        const std::string& tracer = WordAt(words, 0);
         const int level = NumberAt(words, 1, 0, 8);
+        const int reference = words.size() > 3 ? NumberAt(words, 3, 0, 8) : level;
         _RequireScene();
         const HitDifferences found =
-            CompareHits(_built->Scene(), _TracerFor(cc::TracerKind::Packet, level),
-                        _TracerFor(kind, level), _SetOfName(WordAt(words, 2)));
+            CompareHits(_built->Scene(), _TracerFor("packet", reference),
+                        _TracerFor(tracer, level), _SetOfName(WordAt(words, 2)));
         return Answer().Count("hits", found.hits).Count("distances", found.distances);
     }
 
@@ -154,12 +162,23 @@ class Bench {
         }
     }
 
-    const cc::Tracer& _TracerFor(cc::TracerKind kind, int level) {
-        std::unique_ptr<cc::Tracer>& tracer = _tracers[{kind, level}];
+    const cc::Tracer& _TracerFor(const std::string& name, int level) {
+        std::unique_ptr<cc::Tracer>& tracer = _tracers[{name, level}];
         if (!tracer) {
-            tracer = MakeTracer(kind, level);
+            tracer = name == "adaptive"
+                         ? MakeTracer(cc::TracerKind::Packet, _AdaptiveLevels(level))
+                         : MakeTracer(TracerKindOfName(name), level);
         }
         return *tracer;
+    }
+
+    /// The levels of a picture with as many pixels as there are primary rays.
+    cc::LevelMetric _AdaptiveLevels(int finest) const {
+        cc::Camera camera = _source.camera;
+        MakeSquare(&camera);
+        const auto count = static_cast<double>(_SetOfName("primary").rays.size());
+        const int size = static_cast<int>(std::lround(std::sqrt(count)));
+        return {MakeLevelView(camera, size, size), cc::RenderOptions().pixelError, finest};
     }
 
     const RaySet& _SetOfName(const std::string& name) const {
@@ -175,7 +194,7 @@ class Bench {
     const Ray _firstRay;
     int _edits = 0;
     std::unique_ptr<BuiltScene> _built;
-    std::map<std::pair<cc::TracerKind, int>, std::unique_ptr<cc::Tracer>> _tracers;
+    std::map<std::pair<std::string, int>, std::unique_ptr<cc::Tracer>> _tracers;
     std::vector<RaySet> _sets;
 };
 

@@ -102,6 +102,12 @@ std::vector<Ray> MirroredRays(const std::vector<HitPoint>& points) {
 
 }  // namespace
 
+void MakeSquare(cc::Camera* camera) {
+    const Window window(*camera);
+    camera->windowLower = window.lower;
+    camera->windowUpper = {window.lower.x + window.side, window.lower.y + window.side};
+}
+
 RaySet MakePrimaryRays(const cc::Camera& camera, int size) {
     const Window window(camera);
     const float pixel = window.side / static_cast<float>(size);

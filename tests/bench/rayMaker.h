@@ -7,6 +7,9 @@
 #include "core/trace/tracer.h"
 #include "rays.h"
 
+/// Crops the longer sides of a camera's window.
+void MakeSquare(cc::Camera* camera);
+
 /// A ray through the centre of each pixel of a square picture, in tiles of 8x8 pixels: "primary".
 /// Where the camera's window is not square, its longer sides are cropped.
 RaySet MakePrimaryRays(const cc::Camera& camera, int size);
