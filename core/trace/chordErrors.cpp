@@ -70,19 +70,19 @@ void Evaluate(const PatchTable& patches, uint32_t patch, const Vec3f* points,
 }
 
 /// What a patch would be off by at its own level 0, by what it is off by at the first levels.
-/// Around creases and high valences that may quarter later, or more slowly: what it has grown by at
-/// last, it may grow by once more.
+/// Around creases and high valences errors may quarter later, or shrink more slowly: they are taken
+/// to go on for some levels as they do at last.
 float MeasuredError(const ErrorLattice& lattice) {
     float errors[ErrorLattice::kLevels];
     MeasureErrors(lattice, errors);
     float error = 0, last = 0, growth = 1;
     for (int level = 0; level < ErrorLattice::kLevels; ++level) {
         const float scaled = static_cast<float>(1 << (2 * level)) * errors[level];
-        growth = last > 0 ? scaled / last : 1;
+        growth = last > 0 ? std::min(std::max(scaled / last, 1.0f), kMostGrowth) : 1;
         last = scaled;
         error = std::max(error, scaled);
     }
-    return kMeasureMargin * std::max(error, last * std::min(std::max(growth, 1.0f), kMostGrowth));
+    return kMeasureMargin * std::max(error, last * growth * growth * growth);
 }
 
 /// The same for a triangle, by the middles of its edges. Errors of irregular ones shrink more
