@@ -130,8 +130,8 @@ class Bench {
         const int reference = words.size() > 3 ? NumberAt(words, 3, 0, 8) : level;
         _RequireScene();
         const HitDifferences found =
-            CompareHits(_built->Scene(), _TracerFor("packet", reference),
-                        _TracerFor(tracer, level), _SetOfName(WordAt(words, 2)));
+            CompareHits(_built->Scene(), _TracerFor("packet", reference), _TracerFor(tracer, level),
+                        _SetOfName(WordAt(words, 2)));
         return Answer().Count("hits", found.hits).Count("distances", found.distances);
     }
 
@@ -165,9 +165,8 @@ class Bench {
     const cc::Tracer& _TracerFor(const std::string& name, int level) {
         std::unique_ptr<cc::Tracer>& tracer = _tracers[{name, level}];
         if (!tracer) {
-            tracer = name == "adaptive"
-                         ? MakeTracer(cc::TracerKind::Packet, _AdaptiveLevels(level))
-                         : MakeTracer(TracerKindOfName(name), level);
+            tracer = name == "adaptive" ? MakeTracer(cc::TracerKind::Packet, _AdaptiveLevels(level))
+                                        : MakeTracer(TracerKindOfName(name), level);
         }
         return *tracer;
     }
