@@ -196,10 +196,11 @@ def _rows_of(run, scene: Path, suite: str, *options: object) -> list[dict]:
 
 def test_watertight(run, tmp_path: Path) -> None:
     rows_file = tmp_path / "rows.json"
-    result = run("bench", "watertight", "--rays", "20000", "--level", "3", "--json", rows_file)
+    result = run("bench", "watertight", "--rays", "40000", "--level", "3", "--json", rows_file)
     assert result.returncode == 0, result.stderr
     rows = json.loads(rows_file.read_text())
-    assert [(row["level"], row["tracer"]) for row in rows] == [(3, "packet"), (3, "single")]
+    tracers = ["packet", "single", "adaptive", "adaptive single"]
+    assert [(row["level"], row["tracer"]) for row in rows] == [(3, tracer) for tracer in tracers]
     for row in rows:
         assert {*KEYS, "scene", "level", "threads", "tracer", "ratio"} <= set(row)
         assert row["rays"]["primary"] >= 10_000
@@ -224,7 +225,13 @@ def test_suite(run, scene: Path, suite: str) -> None:
         assert {"packet", "algorithm1", "single"} <= {row["tracer"] for row in rows}
     for row in rows:
         differences = row.get("differences", {"hits": 0, "distances": 0})
-        assert differences["hits"] + differences["distances"] <= 2
+        # Table 6 compares with the finest level: a coarse one is elsewhere.
+        if suite != "table6" or (row["tracer"], row["level"]) == ("packet", 5):
+            assert differences["hits"] + differences["distances"] <= 2
+    if suite == "table6":
+        levels = [(row["level"], row["tracer"]) for row in rows]
+        assert levels == [(n, name) for n in (2, 3, 4, 5) for name in ("packet", "adaptive")]
+        assert all(row["ratios"]["primary"] > 0 and row["ratios"]["shadow"] > 0 for row in rows)
     if suite == "table7":
         sizes = [row["bytes"]["structures"] for row in rows if row["tracer"] == "tessellated"]
         assert sizes == sorted(sizes)

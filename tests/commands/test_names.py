@@ -1,5 +1,6 @@
 """Names of pictures and options that need no OpenUSD."""
 
+import re
 from pathlib import Path
 
 import pytest
@@ -60,11 +61,11 @@ def test_usdrecords_short_names(tmp_path: Path) -> None:
 def test_every_aov_of_the_renderer_is_known() -> None:
     """The list in record_options is the one of core/render."""
     root = Path(record_options.__file__).resolve().parents[2]
-    header = (root / "core" / "render" / "film.h").read_text()
-    names = header.split("enum Kind {")[1].split("}")[0]
-    wanted = {line.split(",")[0].strip() for line in names.splitlines() if "," in line}
-    lowered = {name if name == "Neye" else name[0].lower() + name[1:] for name in wanted}
-    assert lowered - {"primvar"} == set(record_options.AOVS) - {"primvars:NAME"}
+    source = (root / "core" / "render" / "film.cpp").read_text()
+    table = source.split("kAovs[] = {")[1].split("};")[0]
+    names = set(re.findall(r'"([^"]+)"', table))
+    assert "color" in names
+    assert names - {"primvars:"} == set(record_options.AOVS) - {"primvars:NAME"}
 
 
 def test_any_primvar_is_an_aov(tmp_path: Path) -> None:

@@ -4,8 +4,9 @@
 //
 // answers commands from standard input with a line of JSON each:
 //
-//     count TRACER PLACEMENT LEVEL RAYS SEED THREADS   PLACEMENT is an index; an error beyond the
-//     last
+//     count TRACER PLACEMENT LEVEL RAYS SEED THREADS ADAPTIVE
+//
+// PLACEMENT is an index; an error beyond the last. ADAPTIVE is 1 for levels up to LEVEL, else 0.
 
 #include <map>
 #include <stdexcept>
@@ -41,6 +42,7 @@ Answer Count(const std::vector<cc::test::Cage>& cages, const Words& words) {
     options.levels = {NumberAt(words, 2, 0, 8)};
     options.rays = static_cast<uint64_t>(NumberAt(words, 3, 1, 2'000'000'000));
     options.seed = static_cast<uint32_t>(NumberAt(words, 4, 0, 1'000'000));
+    options.isAdaptive = NumberAt(words, 6, 0, 1) == 1;
     tbb::task_arena arena(NumberAt(words, 5, 1, 1024));
     const WatertightCount count =
         arena.execute([&] { return CountEscapes(cages, options).front(); });

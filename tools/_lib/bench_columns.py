@@ -115,6 +115,16 @@ TABLE5: Columns = {
     "reflection Mrays/s": _number("mrays_per_second.reflection", "{:.2f}"),
     "(paper)": _paper("table5", "ratio"),
 }
+TABLE6: Columns = {
+    **BASICS,
+    **PRIMARY,
+    "shadow Mrays/s": _number("mrays_per_second.shadow", "{:.2f}"),
+    "adaptive is faster by": _number("ratios.primary", "{:.2f}x"),
+    "(paper)": _paper("table6", "primary"),
+    "with shadows": _number("ratio", "{:.2f}x"),
+    "(paper) ": _paper("table6", "shadow"),
+    "other hits than at level 8": _differences,
+}
 TABLE7: Columns = {
     **BASICS,
     "quads": lambda row: f"{row['patches'] * 4 ** row['level']:,}",

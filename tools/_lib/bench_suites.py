@@ -20,6 +20,10 @@ from .console import CommandError, warning
 
 #: Our tracers; the first is what others are measured against.
 PACKET, TESSELLATED = "packet", "tessellated"
+#: Packets with levels as the camera needs them.
+ADAPTIVE = "adaptive"
+#: What pictures of any level are compared with.
+REFERENCE_LEVEL = 8
 TRACERS = (PACKET, "algorithm1", "single")
 ALL_SETS = tuple(bench_measure.KIND_OF_RAYS)
 
@@ -103,6 +107,33 @@ def table4(options: argparse.Namespace) -> list[Row]:
 def table5(options: argparse.Namespace) -> list[Row]:
     """As table3, with one mirrored bounce and the shadow rays of what it hits."""
     return _run_table(options, TRACERS, ALL_SETS)
+
+
+def table6(options: argparse.Namespace) -> list[Row]:
+    """Adaptive levels against the same level for all, up to the same finest one, on the city."""
+    rows = []
+    for scene in bench_scenes.scenes(options, ("city",)):
+        with bench_measure.session(scene, options) as own:
+            for level in _levels(options, (2, 3, 4, 5)):
+                rows += _compare_adaptive(own, level, options)
+    return rows
+
+
+def _compare_adaptive(own: Session, level: int, options: argparse.Namespace) -> list[Row]:
+    own.make_rays(options.size, level)
+    contenders = [own.tracer(name, level) for name in (PACKET, ADAPTIVE)]
+    bench_measure.take_turns(contenders, ("primary", "shadow"), options.runs, own.threads)
+    rows = []
+    for each in contenders:
+        row = bench_measure.make_row(own, level, each, contenders[1], ("primary", "shadow"))
+        row["ratios"] = {
+            rays: bench_measure.ratio(each, contenders[1], (rays,))
+            for rays in ("primary", "shadow")
+        }
+        found = own.program.ask("compare", each.tracer, level, "primary", REFERENCE_LEVEL)
+        row["differences"] = {"hits": found["hits"], "distances": found["distances"]}
+        rows.append(row)
+    return rows
 
 
 def table7(options: argparse.Namespace) -> list[Row]:
@@ -250,6 +281,7 @@ SUITES = {
     "table3": Suite("with shadows of 2 lights", table3, bench_columns.TABLE3),
     "table4": Suite("levels 1 to 4 on the forest", table4, bench_columns.TABLE4),
     "table5": Suite("with shadows and a mirrored bounce", table5, bench_columns.TABLE5),
+    "table6": Suite("adaptive levels on the city", table6, bench_columns.TABLE6),
     "table7": Suite("against pre-tessellation", table7, bench_columns.TABLE7),
     "embree": Suite("against Embree", bench_embree.run, bench_columns.EMBREE),
     "build": Suite("from points to the first ray", build, bench_columns.BUILD),

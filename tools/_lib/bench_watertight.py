@@ -7,6 +7,9 @@ from .bench_measure import COUNTS, KINDS, Row, bytes_of
 
 TRACERS = ("packet", "single")
 LEVELS = (0, 1, 2, 3, 4, 5, 6)
+#: Rows whose levels are those of cameras anywhere, up to the row's.
+ADAPTIVE_TRACERS = {"adaptive": "packet", "adaptive single": "single"}
+ADAPTIVE_LEVELS = (2, 4, 5)
 #: At these levels patches are split by steps, which takes far longer: they get fewer of the rays.
 SPLIT_LEVELS, SPLIT_SHARE = (5, 6, 7, 8), 0.1
 
@@ -14,13 +17,15 @@ SPLIT_LEVELS, SPLIT_SHARE = (5, 6, 7, 8), 0.1
 def run(options: argparse.Namespace) -> list[Row]:
     """A row for each level and tracer, over all ways to place the closed cages."""
     levels = LEVELS if options.level is None else (options.level,)
+    adaptive_levels = ADAPTIVE_LEVELS if options.level is None else (options.level,)
+    parts = [(level, tracer) for level in levels for tracer in TRACERS]
+    parts += [(level, tracer) for level in adaptive_levels for tracer in ADAPTIVE_TRACERS]
     rays = min(options.rays, 100_000) if options.quick else options.rays
-    whole = sum(_share(level) for level in levels) * len(TRACERS)
+    whole = sum(_share(level) for level, _ in parts)
     with bench_programs.watertight() as program:
         return [
             _count(program, level, tracer, round(rays * _share(level) / whole), options.threads)
-            for level in levels
-            for tracer in TRACERS
+            for level, tracer in parts
         ]
 
 
@@ -35,7 +40,10 @@ def _count(
     placements = program.ask("placements")["count"]
     for placement in range(placements):
         # Each has its own seed.
-        words = (tracer, placement, level, max(1, rays // placements), placement, threads)
+        count = max(1, rays // placements)
+        is_adaptive = int(tracer in ADAPTIVE_TRACERS)
+        kind = ADAPTIVE_TRACERS.get(tracer, tracer)
+        words = (kind, placement, level, count, placement, threads, is_adaptive)
         answer = program.ask("count", *words)
         row["cages"] = answer["cages"]
         row["rays"]["primary"] += answer["rays"]
