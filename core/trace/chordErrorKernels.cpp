@@ -143,8 +143,8 @@ void MeasureErrorsOf(const ErrorLattice& lattice, float errors[ErrorLattice::kLe
             const int down = direction == 0 ? 0 : half, right = direction == 1 ? 0 : half;
             for (int row = down; row <= kSide - down; ++row) {
                 for (int column = right; column <= kSide - right; column += laneCount) {
-                    const auto isThere =
-                        hn::FirstN(lanes, static_cast<size_t>(kSide - right - column + 1));
+                    const int left = kSide - right - column + 1;
+                    const auto isThere = hn::FirstN(lanes, static_cast<size_t>(left));
                     const Floats square = SquareOff(lattice, row, column, down, right);
                     most = hn::Max(most, hn::IfThenElseZero(isThere, square));
                 }
