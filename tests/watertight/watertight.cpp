@@ -10,6 +10,7 @@
 
 #include "core/subdiv/limitPoint.h"
 #include "core/trace/instance.h"
+#include "tests/unit/trace/traceKit.h"
 #include "tests/watertight/enclosedPoints.h"
 
 namespace cc::test {
@@ -17,8 +18,6 @@ namespace {
 
 /// Levels from this on have nearly the same inside; that of others is looked at.
 constexpr int kInsideLevel = 2;
-/// Rays that go on for ever.
-constexpr float kFar = 1e30f;
 /// Some sixteen steps of a float's last bit.
 constexpr float kRounding = 2e-6f;
 
@@ -124,17 +123,6 @@ class Targets {
     std::mt19937& _random;
     std::vector<Vec3f> _picked[kKindCount];
 };
-
-void SetRay(int i, const Vec3f& origin, const Vec3f& direction, RayPacket* rays) {
-    rays->originX[i] = origin.x;
-    rays->originY[i] = origin.y;
-    rays->originZ[i] = origin.z;
-    rays->directionX[i] = direction.x;
-    rays->directionY[i] = direction.y;
-    rays->directionZ[i] = direction.z;
-    rays->tMin[i] = 0;
-    rays->tMax[i] = kFar;
-}
 
 /// A packet of rays from a point inside, or through it from outside.
 RayPacket MakePacket(const Vec3f& inside, Targets::Kind kind, bool isAcross, Targets* targets,

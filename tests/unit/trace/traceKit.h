@@ -28,6 +28,18 @@ struct TracedCage {
     InstanceBvh world;
 };
 
+/// A ray that goes on for ever.
+inline void SetRay(int i, const Vec3f& origin, const Vec3f& direction, RayPacket* rays) {
+    rays->originX[i] = origin.x;
+    rays->originY[i] = origin.y;
+    rays->originZ[i] = origin.z;
+    rays->directionX[i] = direction.x;
+    rays->directionY[i] = direction.y;
+    rays->directionZ[i] = direction.z;
+    rays->tMin[i] = 0;
+    rays->tMax[i] = 1e30f;
+}
+
 /// Rays of a small pinhole camera that looks at the middle of a box from outside, 8 x 8.
 inline RayPacket CameraPacket(const Box3f& box, const Vec3f& from, float width,
                               std::mt19937* random) {
@@ -44,14 +56,7 @@ inline RayPacket CameraPacket(const Box3f& box, const Vec3f& from, float width,
     for (int i = 0; i < kPacketSize; ++i) {
         const float x = width * ((i % 8) / 7.0f - 0.5f), y = width * ((i / 8) / 7.0f - 0.5f);
         const Vec3f d = forward + side * x + up * y;
-        rays.originX[i] = eye.x;
-        rays.originY[i] = eye.y;
-        rays.originZ[i] = eye.z;
-        rays.directionX[i] = d.x;
-        rays.directionY[i] = d.y;
-        rays.directionZ[i] = d.z;
-        rays.tMin[i] = 0;
-        rays.tMax[i] = 1e30f;
+        SetRay(i, eye, d, &rays);
     }
     return rays;
 }
@@ -64,15 +69,7 @@ inline RayPacket PacketThrough(const Vec3f& point, float distance) {
         const float height = 2 * (static_cast<float>(i) + 0.5f) / kPacketSize - 1;
         const float angle = 2.4f * static_cast<float>(i), width = std::sqrt(1 - height * height);
         const Vec3f direction{width * std::cos(angle), width * std::sin(angle), height};
-        const Vec3f origin = point - direction * distance;
-        rays.originX[i] = origin.x;
-        rays.originY[i] = origin.y;
-        rays.originZ[i] = origin.z;
-        rays.directionX[i] = direction.x;
-        rays.directionY[i] = direction.y;
-        rays.directionZ[i] = direction.z;
-        rays.tMin[i] = 0;
-        rays.tMax[i] = 1e30f;
+        SetRay(i, point - direction * distance, direction, &rays);
     }
     return rays;
 }

@@ -157,12 +157,7 @@ RayPacket RaysAt(const std::vector<Target>& targets, size_t first, float diagona
         const Target& target = targets[first + i];
         const Vec3f direction = target.normal * (i % 2 == 0 ? -1.0f : 1.0f);
         const Vec3f origin = target.position - direction * (kDistance * diagonal);
-        rays.originX[i] = origin.x;
-        rays.originY[i] = origin.y;
-        rays.originZ[i] = origin.z;
-        rays.directionX[i] = direction.x;
-        rays.directionY[i] = direction.y;
-        rays.directionZ[i] = direction.z;
+        SetRay(i, origin, direction, &rays);
         const float bound = 2 * target.bound + kRounding * diagonal;
         rays.tMin[i] = kDistance * diagonal - bound;
         rays.tMax[i] = kDistance * diagonal + bound;
