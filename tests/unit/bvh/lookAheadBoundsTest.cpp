@@ -118,7 +118,8 @@ TEST_P(LookAheadBoundsTest, AreTheSameWithAndWithoutPlans) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Catalogue, LookAheadBoundsTest, testing::ValuesIn(AllCages()), TestName);
+INSTANTIATE_TEST_SUITE_P(Catalogue, LookAheadBoundsTest, testing::ValuesIn(Sample(AllCages())),
+                         TestName);
 
 /// Regular patches are bounded many at a time: none may take another's box.
 TEST(LookAheadBounds, DependOnTheirPatchAlone) {

@@ -162,7 +162,8 @@ TEST_P(PrimvarFieldTest, AgreesWithOpenSubdivsBilinearScheme) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Catalogue, PrimvarFieldTest, testing::ValuesIn(Catalogue()), TestName);
+INSTANTIATE_TEST_SUITE_P(Catalogue, PrimvarFieldTest, testing::ValuesIn(Sample(Catalogue())),
+                         TestName);
 
 /// Calls check(patch, u, v) all over a surface.
 template <typename Check>

@@ -264,7 +264,8 @@ TEST(FaceVarying, ValuesAreTakenAtTheirVertices) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Catalogue, FaceVaryingTest, testing::ValuesIn(Catalogue()), TestName);
+INSTANTIATE_TEST_SUITE_P(Catalogue, FaceVaryingTest, testing::ValuesIn(Sample(Catalogue())),
+                         TestName);
 
 }  // namespace
 }  // namespace cc::test

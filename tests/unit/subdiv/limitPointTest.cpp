@@ -6,6 +6,7 @@
 #include "core/subdiv/irregularTriangle.h"
 #include "core/subdiv/oneRing.h"
 #include "core/subdiv/patchBuilder.h"
+#include "tests/repeats.h"
 #include "tests/unit/subdiv/cageKit.h"
 #include "tests/unit/subdiv/limitOracle.h"
 #include "tests/unit/subdiv/surfaceComparison.h"
@@ -67,7 +68,8 @@ TEST(LimitPoint, IsExactBesideVerticesOfTooManyFaces) {
     EXPECT_EQ(flatCount, kValence);
 }
 
-INSTANTIATE_TEST_SUITE_P(Catalogue, LimitPointTest, testing::ValuesIn(Catalogue()), TestName);
+INSTANTIATE_TEST_SUITE_P(Catalogue, LimitPointTest, testing::ValuesIn(Sample(Catalogue())),
+                         TestName);
 
 /// Position and normal must run on into the corners, where the patches' own limits stand in.
 void ExpectContinuousCorners(const Cage& cage, PatchKind kind, int expectedCount) {

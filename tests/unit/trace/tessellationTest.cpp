@@ -45,7 +45,8 @@ TEST_P(TessellationTest, PointsAreThoseOfTheLimitSurface) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Catalogue, TessellationTest, testing::ValuesIn(AllCages()), TestName);
+INSTANTIATE_TEST_SUITE_P(Catalogue, TessellationTest, testing::ValuesIn(Sample(AllCages())),
+                         TestName);
 
 TEST(Tessellation, MemoryIsThatOfQuads) {
     const TracedCage traced(Torus(12, 8));

@@ -8,6 +8,7 @@
 #include "core/trace/algorithm1Tracer.h"
 #include "core/trace/objectRays.h"
 #include "core/trace/tracer.h"
+#include "tests/repeats.h"
 #include "tests/unit/subdiv/testCages.h"
 #include "tests/unit/trace/rayAnswer.h"
 #include "tests/unit/trace/traceKit.h"
@@ -128,7 +129,8 @@ TEST_P(TracerAgreementTest, TextureCoordinatesAreThoseOfTheHit) {
     EXPECT_GT(hitCount, 20);
 }
 
-INSTANTIATE_TEST_SUITE_P(Catalogue, TracerAgreementTest, testing::ValuesIn(AllCages()), TestName);
+INSTANTIATE_TEST_SUITE_P(Catalogue, TracerAgreementTest, testing::ValuesIn(Sample(AllCages())),
+                         TestName);
 
 }  // namespace
 }  // namespace cc::test

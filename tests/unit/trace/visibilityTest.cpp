@@ -12,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/repeats.h"
 #include "tests/unit/subdiv/cageKit.h"
 #include "tests/unit/subdiv/limitOracle.h"
 #include "tests/unit/subdiv/polygonOracle.h"
@@ -253,7 +254,8 @@ TEST_P(VisibilityTest, HolesAreNotHit) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Catalogue, VisibilityTest, testing::ValuesIn(AllCages()), TestName);
+INSTANTIATE_TEST_SUITE_P(Catalogue, VisibilityTest, testing::ValuesIn(Sample(AllCages())),
+                         TestName);
 
 /// A star of concave corners, and a square with a square hole, which a bridge that is walked twice
 /// leads to; beside each other, and not quite flat.
@@ -294,7 +296,7 @@ std::vector<Cage> UnsmoothedCages() {
     return cages;
 }
 
-INSTANTIATE_TEST_SUITE_P(Unsmoothed, VisibilityTest, testing::ValuesIn(UnsmoothedCages()),
+INSTANTIATE_TEST_SUITE_P(Unsmoothed, VisibilityTest, testing::ValuesIn(Sample(UnsmoothedCages())),
                          TestName);
 
 }  // namespace
