@@ -55,22 +55,21 @@ class CornerLimit {
     }
 
     bool OpenTangents(int face, Vec3f tangents[2]) const {
-        if (_faceCount <= _resonance) {
+        if (_faceCount <= _resonance && !AreParallel(_edges.front(), _edges.back())) {
             // Nothing shrinks less than the ends, whose plane it is. In resonance what is between
             // them tends to the mean of both, but the edges' difference to that of the ends.
             for (int i = 0; i < 2; ++i) {
                 tangents[i] = _edges.front() * static_cast<float>(_faceCount - face - i) +
                               _edges.back() * static_cast<float>(face + i);
             }
-            return !AreParallel(_edges.front(), _edges.back());
+            return true;
         }
-        const Vec3f first = _OpenWave(1);
+        // Where the ends are parallel the plane is theirs and the first wave's, however fast that
+        // shrinks, and what of it the ends drive does not count.
+        const Vec3f first = _faceCount <= _resonance ? _InnerWave(1) : _OpenWave(1);
         if (face > 0 && face < _faceCount - 1) {
-            const double angle = kPi / _faceCount;
-            const Vec3f turn =
-                _SecondOfOpen(face + 1) * static_cast<float>(std::sin(angle * face)) -
-                _SecondOfOpen(face) * static_cast<float>(std::sin(angle * (face + 1)));
-            return _Spread(first, turn, tangents);
+            return _faceCount <= _resonance ? _MiddleTangents(first, tangents)
+                                            : _Spread(first, _Turn(face), tangents);
         }
         tangents[0] = face == 0 ? _edges.front() : first;
         tangents[1] = face == 0 ? first : _edges.back();
@@ -92,6 +91,12 @@ class CornerLimit {
         return _diagonals.size() == 0 ? TriangleWeights(angle) : QuadWeights(angle);
     }
 
+    /// What _InnerWave makes of a wave of height 1.
+    double _InnerSquare(double angle) const {
+        const double edge = _WeightsOf(angle).edge;
+        return 0.5 * _faceCount * (_diagonals.size() == 0 ? 1 : edge + 4 / edge);
+    }
+
     bool _IsMoreThanRounding(const Vec3f& sum) const { return Length(sum) > kParallel * _length; }
 
     /// The sum of all vectors but the ends, each weighed by its share too.
@@ -107,30 +112,75 @@ class CornerLimit {
         return sum;
     }
 
-    /// What is left of a wave that is zero at the ends: mode times half of it fits in between. The
-    /// ends drive it, and they alone are left of it if it is in resonance with them, shrinking by
-    /// half as they do.
+    /// True for a closed corner that a single sharp edge cuts open.
+    bool _HasOneEnd() const { return _edges.front() == _edges.back(); }
+
+    /// A wave that is zero at the ends, but for what these drive: mode times half of it fits in
+    /// between.
+    Vec3f _InnerWave(int mode) const {
+        const double angle = kPi * mode / _faceCount;
+        return _Sum(1, _WeightsOf(angle), [angle](double j) { return std::sin(angle * j); });
+    }
+
+    /// What is left of such a wave. The ends alone are left of it if it is in resonance with them,
+    /// shrinking by half as they do.
     Vec3f _OpenWave(int mode) const {
         const Vec3f ends = _edges.front() + _edges.back() * (mode % 2 != 0 ? 1.0f : -1.0f);
         if (_faceCount == _resonance * mode) {
             return ends;
         }
-        const double angle = kPi * mode / _faceCount;
-        const WaveWeights weights = _WeightsOf(angle);
-        return _Sum(1, weights, [angle](double j) { return std::sin(angle * j); }) +
-               ends * static_cast<float>(weights.end);
+        const double end = _WeightsOf(kPi * mode / _faceCount).end;
+        return _InnerWave(mode) + ends * static_cast<float>(end);
+    }
+
+    /// The middle one of three faces of Loop's scheme between parallel ends. The ends' difference
+    /// shrinks less than the second wave, if there is one. If there is none both edges tend to the
+    /// end, unless the wave is parallel to that.
+    bool _MiddleTangents(const Vec3f& first, Vec3f tangents[2]) const {
+        if (_HasOneEnd()) {
+            const Vec3f turn = -_OpenWave(2);
+            return _Spread(_edges.front(), turn, tangents) || _Spread(first, turn, tangents);
+        }
+        tangents[0] = _edges.front() - _edges.back();
+        tangents[1] = first;
+        return !AreParallel(tangents[0], tangents[1]);
+    }
+
+    /// What turns one edge of a face in between into the other, where the first wave shrinks least.
+    Vec3f _Turn(int face) const {
+        const double angle = kPi / _faceCount;
+        if (_HasOneEnd() && _faceCount == 2 * face + 1) {
+            // To either side of the middle the rest is alike, but for this wave.
+            return -_OpenWave(2);
+        }
+        return _SecondOfOpen(face + 1) * static_cast<float>(std::sin(angle * face)) -
+               _SecondOfOpen(face) * static_cast<float>(std::sin(angle * (face + 1)));
     }
 
     /// What shrinks least of an edge but for the first wave, in an open corner.
     Vec3f _SecondOfOpen(int edge) const {
         if (_faceCount < 2 * _resonance) {
-            // The second wave shrinks by more than half; what follows the ends does so by half.
-            const double angle = kPi / _resonance, whole = std::sin(angle * _faceCount);
-            return _edges.front() *
-                       static_cast<float>(std::sin(angle * (_faceCount - edge)) / whole) +
-                   _edges.back() * static_cast<float>(std::sin(angle * edge) / whole);
+            return _BetweenEnds(edge);  // The second wave shrinks by more than half.
         }
-        return _OpenWave(2) * static_cast<float>(std::sin(2 * kPi * edge / _faceCount));
+        const double angle = 2 * kPi / _faceCount;
+        const auto share = static_cast<float>(std::sin(angle * edge));
+        if (_faceCount == 2 * _resonance && _HasOneEnd()) {
+            return _BetweenEnds(edge) +
+                   _InnerWave(2) * (share / static_cast<float>(_InnerSquare(angle)));
+        }
+        return _OpenWave(2) * share;
+    }
+
+    /// What the ends alone make of an edge in between; it shrinks by half as they do.
+    Vec3f _BetweenEnds(int edge) const {
+        const double angle = kPi / _resonance, middle = 0.5 * _faceCount;
+        if (_HasOneEnd()) {
+            return _edges.front() *
+                   static_cast<float>(std::cos(angle * (middle - edge)) / std::cos(angle * middle));
+        }
+        const double whole = std::sin(angle * _faceCount);
+        return _edges.front() * static_cast<float>(std::sin(angle * (_faceCount - edge)) / whole) +
+               _edges.back() * static_cast<float>(std::sin(angle * edge) / whole);
     }
 
     /// What is left of a wave that runs around the corner so many times, at an edge.

@@ -1,11 +1,9 @@
 #include "core/subdiv/extraordinaryPatch.h"
 
-#include <cmath>
+#include "core/subdiv/smoothTangent.h"
 
 namespace cc {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 /// Limit position of a regular vertex: the tensor product of (1 4 1) / 6.
 Vec3f RegularLimit(const Vec3f grid[4][4], int row, int column) {
@@ -125,17 +123,13 @@ Vec3f ExtraordinaryPatch::LimitPosition() const {
 }
 
 void ExtraordinaryPatch::LimitTangents(Vec3f* towardsU, Vec3f* towardsV) const {
-    const double angle = 2 * kPi / _valence;
-    const double a =
-        1 + std::cos(angle) + std::cos(angle / 2) * std::sqrt(2 * (9 + std::cos(angle)));
-    *towardsU = *towardsV = {};
-    for (int i = 0; i < _valence; ++i) {
-        // The tangent towards e1 is the one towards e0, turned by one edge.
-        for (int turn = 0; turn < 2; ++turn) {
-            const double c0 = std::cos(angle * (i - turn)), c1 = std::cos(angle * (i + 1 - turn));
-            Vec3f& tangent = turn == 0 ? *towardsU : *towardsV;
-            tangent += _EdgeNeighbor(i) * static_cast<float>(a * c0) +
-                       _FaceDiagonal(i) * static_cast<float>(c0 + c1);
+    Vec3f* const tangents[2] = {towardsU, towardsV};
+    for (int edge = 0; edge < 2; ++edge) {
+        const SmoothTangentMask mask(_valence, edge);
+        *tangents[edge] = {};
+        for (int j = 0; j < _valence; ++j) {
+            *tangents[edge] +=
+                _EdgeNeighbor(j) * mask.Edge(j) + _FaceDiagonal(j) * mask.Diagonal(j);
         }
     }
 }

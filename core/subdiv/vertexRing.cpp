@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/subdiv/smoothTangent.h"
+
 namespace cc {
 
 VertexRing VertexRing::Subdivide() const {
@@ -56,17 +58,11 @@ Vec3f VertexRing::_SmoothLimit() const {
     return (center * (n * n) + edgeSum * 4 + diagonalSum) * (1 / (n * (n + 5)));
 }
 
-/// The mask of Halstead et al. 1993.
 Vec3f VertexRing::_SmoothTangent(int towardsEdge) const {
-    const double angle = 2 * kPi / FaceCount();
-    const double a =
-        1 + std::cos(angle) + std::cos(angle / 2) * std::sqrt(2 * (9 + std::cos(angle)));
+    const SmoothTangentMask mask(FaceCount(), towardsEdge);
     Vec3f tangent;
     for (int j = 0; j < FaceCount(); ++j) {
-        const double c0 = std::cos(angle * (j - towardsEdge));
-        const double c1 = std::cos(angle * (j + 1 - towardsEdge));
-        tangent +=
-            edges[j] * static_cast<float>(a * c0) + diagonals[j] * static_cast<float>(c0 + c1);
+        tangent += edges[j] * mask.Edge(j) + diagonals[j] * mask.Diagonal(j);
     }
     return tangent;
 }
