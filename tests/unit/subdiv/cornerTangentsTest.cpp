@@ -193,7 +193,7 @@ TEST(CornerTangents, NormalsAreThoseOfRefinementUnderLoop) {
     for (int faceCount : {1, 2, 3, 4, 5, 6}) {
         ExpectNormalsOfRefinement({Scheme::Loop, faceCount, false}, 22);
     }
-    for (int faceCount : {7, 8, 9, 12}) {
+    for (int faceCount : {7, 8, 9, 12, 20}) {
         ExpectNormalsOfRefinement({Scheme::Loop, faceCount, false}, 10);
     }
     for (int faceCount : {3, 4, 5, 6, 7, 12}) {
@@ -201,7 +201,7 @@ TEST(CornerTangents, NormalsAreThoseOfRefinementUnderLoop) {
     }
     // The middle one of five faces shrinks so much more than the others that doubles lose it.
     ExpectNormalsOfRefinement({Scheme::Loop, 5, true, true}, 7);
-    for (int faceCount : {4, 6, 7, 8, 12}) {
+    for (int faceCount : {4, 6, 7, 8, 12, 20}) {
         ExpectNormalsOfRefinement({Scheme::Loop, faceCount, true, true}, 11);
     }
 }

@@ -45,6 +45,14 @@ bool HasExactMask(const Far::TopologyLevel& level, Far::Index vertex) {
     return sharp != 1 && !level.IsVertexNonManifold(vertex);
 }
 
+/// What decides the normal at a sharp corner of many faces may be so small at first that it shows
+/// after 40 levels or 100, and the faces look settled before. CornerTangents has a test of its own.
+bool HasSlowNormal(const Far::TopologyLevel& level, Far::Index vertex) {
+    constexpr int kMostFaces = 4;
+    return level.GetVertexSharpness(vertex) >= 10 &&
+           level.GetVertexFaces(vertex).size() > kMostFaces;
+}
+
 struct CornerOfFace {
     Far::Index face, vertex;
 };
@@ -169,7 +177,11 @@ class FarOracle : public LimitOracle {
         }
         const CornerOfFace corner = _CornerAt(at);
         const bool isExact = corner.vertex < 0 || HasExactMask(_Cage(), corner.vertex);
-        return isExact ? _EvaluatePatch(at) : _EvaluateDeep(corner);
+        Sample sample = isExact ? _EvaluatePatch(at) : _EvaluateDeep(corner);
+        if (corner.vertex >= 0 && HasSlowNormal(_Cage(), corner.vertex)) {
+            sample.normal = {};
+        }
+        return sample;
     }
 
   private:
