@@ -69,8 +69,8 @@ inline void TurnGrid(const LimitGrid& from, int corner, LimitGrid* to) {
 struct SubPatch {
     BezierRows bezier;
     Square square;
-    int splits;  ///< left until its quads
-    int firstRay;
+    int splits;        ///< left until its quads
+    uint64_t hitting;  ///< a bit for each ray that may hit it
     bool isTransposed;
 };
 
@@ -122,13 +122,12 @@ class PatchIntersector {
     static constexpr float kStitchMargin = 2;
 
     void _IntersectPatch(uint32_t patch, uint64_t hitting, const Box3f& box) {
-        const int firstRay = __builtin_ctzll(hitting);
         ++_statistics.leafIntersections;
         _patch = patch;
         const PatchTable& patches = _surface.Patches();
         const Patch& p = patches.At(patch);
         if (patches.IsTriangle(patch)) {
-            _isShortened |= _triangles.Intersect(patch, firstRay);
+            _isShortened |= _triangles.Intersect(patch, __builtin_ctzll(hitting));
             return;
         }
         const int splits = _FindLevels(patch) - p.depth;
@@ -147,7 +146,7 @@ class PatchIntersector {
             } else {
                 BezierRows bezier;
                 _GatherBezier(p, &bezier);
-                _IntersectBezier(bezier, whole, splits, firstRay);
+                _IntersectBezier(bezier, whole, splits, hitting);
             }
             return;
         }
@@ -167,14 +166,17 @@ class PatchIntersector {
             _IntersectTiles(whole, splits, hitting);
             return;
         }
+        if (_IntersectHeldQuarters(whole, hitting)) {
+            return;
+        }
         if (p.kind == PatchKind::Extraordinary) {
             ExtraordinaryPatch::Points points;
             _GatherExtraordinary(patches, &points);
             _IntersectExtraordinary(ExtraordinaryPatch(points.data(), p.valence), 0, whole, splits,
-                                    firstRay);
+                                    hitting);
         } else {
             _IntersectIrregular(GatherIrregular(patches, patch, _surface.PatchPoints().data()),
-                                whole, splits, firstRay);
+                                whole, splits, hitting);
         }
     }
 
@@ -258,12 +260,6 @@ class PatchIntersector {
         }
     }
 
-    /// A bit for each ray from the first on.
-    uint64_t _From(int firstRay) const {
-        const int count = _rays.rays.count;
-        return (~uint64_t(0) >> (kPacketSize - count)) & (~uint64_t(0) << firstRay);
-    }
-
     void _EvaluatePlanned(const LimitGridPlan& plan, int splits, LimitGrid* grid) {
         ControlPoints indices;
         GatherControlPoints(_surface.Patches(), _patch, &indices);
@@ -303,7 +299,7 @@ class PatchIntersector {
     /// end the quad at the vertex.
     /// @param corner  of the square (u, v, size) that the vertex is at
     void _IntersectExtraordinary(ExtraordinaryPatch patch, int corner, Square square, int splits,
-                                 int firstRay) {
+                                 uint64_t hitting) {
         const LimitGridPlan* plan = _surface.Plans().OfValence(patch.Valence());
         for (; splits > 0; --splits) {
             if (plan && splits <= kPlanSplits) {
@@ -313,18 +309,15 @@ class PatchIntersector {
                 _EvaluatePlan(*plan, [&](size_t i) { return points[i]; }, splits, &grid);
                 TurnGrid(grid, corner, &shared.points);
                 _BeginWhole(square, &shared);
-                _IntersectGrid(&shared, _From(firstRay));
+                _IntersectGrid(&shared, hitting);
                 return;
             }
             Box3f box;
             for (const Vec3f& p : patch.ControlPoints()) {
                 box.Extend(p);
             }
-            firstRay = _FirstRay(_Widened(box), firstRay);
-            if (firstRay >= _rays.rays.count) {
-                return;
-            }
-            if (_IntersectHeldQuarters(square, _From(firstRay))) {
+            hitting = _RaysIn(_Widened(box), hitting);
+            if (hitting == 0 || _IntersectHeldQuarters(square, hitting)) {
                 return;
             }
             ++_statistics.subdivisionsIrregular;
@@ -333,7 +326,7 @@ class PatchIntersector {
             for (int i = 0; i < 3; ++i) {
                 Vec3f points[16];
                 TurnGrid(quarters.points[i], corner, points);
-                _IntersectBSpline(points, square.Quarter(corner + 1 + i), splits - 1, firstRay);
+                _IntersectBSpline(points, square.Quarter(corner + 1 + i), splits - 1, hitting);
             }
             square = square.Quarter(corner);
         }
@@ -342,40 +335,38 @@ class PatchIntersector {
         for (int i = 0; i < 4; ++i) {
             turned[(i + corner) & 3] = corners[i];
         }
-        _IntersectLimitQuad(turned, square, firstRay);
+        _IntersectLimitQuad(turned, square, hitting);
     }
 
-    void _IntersectIrregular(const IrregularPatch& patch, Square square, int splits, int firstRay) {
+    void _IntersectIrregular(const IrregularPatch& patch, Square square, int splits,
+                             uint64_t hitting) {
         Vec3f bspline[16];
         if (patch.ToBSpline(bspline)) {
-            _IntersectBSpline(bspline, square, splits, firstRay);
+            _IntersectBSpline(bspline, square, splits, hitting);
             return;
         }
         ExtraordinaryPatch::Points points;
         const int corner = patch.ToExtraordinary(&points);
         if (corner >= 0) {
             const ExtraordinaryPatch turned(points.data(), patch.rings[corner].FaceCount());
-            _IntersectExtraordinary(turned, corner, square, splits, firstRay);
+            _IntersectExtraordinary(turned, corner, square, splits, hitting);
             return;
         }
         if (splits == 0) {
             Vec3f corners[4];
             patch.LimitCorners(corners);
-            _IntersectLimitQuad(corners, square, firstRay);
+            _IntersectLimitQuad(corners, square, hitting);
             return;
         }
-        firstRay = _FirstRay(_Widened(patch.HullBox()), firstRay);
-        if (firstRay >= _rays.rays.count) {
-            return;
-        }
-        if (_IntersectHeldQuarters(square, _From(firstRay))) {
+        hitting = _RaysIn(_Widened(patch.HullBox()), hitting);
+        if (hitting == 0 || _IntersectHeldQuarters(square, hitting)) {
             return;
         }
         ++_statistics.subdivisionsIrregular;
         IrregularPatch quarters[4];
         patch.Subdivide(quarters);
         for (int i = 0; i < 4; ++i) {
-            _IntersectIrregular(quarters[i], square.Quarter(i), splits - 1, firstRay);
+            _IntersectIrregular(quarters[i], square.Quarter(i), splits - 1, hitting);
         }
     }
 
@@ -393,7 +384,7 @@ class PatchIntersector {
         return true;
     }
 
-    void _IntersectLimitQuad(const Vec3f corners[4], const Square& square, int firstRay) {
+    void _IntersectLimitQuad(const Vec3f corners[4], const Square& square, uint64_t hitting) {
         LimitGrid& grid = _ownGrid.points;
         grid.side = 1;
         for (int axis = 0; axis < 3; ++axis) {
@@ -404,7 +395,7 @@ class PatchIntersector {
         }
         grid.Fill();
         _BeginWhole(square, &_ownGrid);
-        _IntersectGrid(&_ownGrid, _From(firstRay));
+        _IntersectGrid(&_ownGrid, hitting);
     }
 
     /// Room for points that round out of the hull they are computed from.
@@ -412,44 +403,50 @@ class PatchIntersector {
         return Widened(box, RoundingTolerance(&box.lower, 2));
     }
 
-    int _FirstRay(const Box3f& box, int firstRay) const {
-        return FirstRayIn(_rays, box, firstRay, &_statistics);
+    /// A bit for each ray that hits a box, of those whose bit is set: culling by interval first.
+    uint64_t _RaysIn(const Box3f& box, uint64_t among) const {
+        ++_statistics.boxTests;
+        if (_rays.Culls(box)) {
+            ++_statistics.intervalCulls;
+            return 0;
+        }
+        return RaysThatHit(Tag(), _rays.rays, among, box);
     }
 
     /// A regular part of a patch that is not. If it is a grid, it is one whether rays hit its hull
     /// or not, so that the next packet finds all quarters.
-    void _IntersectBSpline(const Vec3f points[16], const Square& square, int splits, int firstRay) {
+    void _IntersectBSpline(const Vec3f points[16], const Square& square, int splits,
+                           uint64_t hitting) {
         const BezierRows bezier(BezierPatch::FromBSpline(points));
         if (splits <= kMaxGridSplits) {
-            _IntersectPart({bezier, square, splits, firstRay, false}, _From(firstRay));
+            _IntersectPart({bezier, square, splits, hitting, false});
         } else {
-            _IntersectBezier(bezier, square, splits, firstRay);
+            _IntersectBezier(bezier, square, splits, hitting);
         }
     }
 
     void _IntersectBezier(const BezierRows& bezier, const Square& square, int splits,
-                          int firstRay) {
+                          uint64_t hitting) {
         // Each split leaves at most three parts behind.
         SubPatch stack[3 * (kMaxSplits - kMaxGridSplits) + 1];
         int count = 0;
-        stack[count++] = {bezier, square, splits, firstRay, false};
+        stack[count++] = {bezier, square, splits, hitting, false};
         while (count > 0) {
-            const SubPatch part = stack[--count];
-            const Box3f box = _Widened(HullBox(part.bezier));
-            const int first = _FirstRay(box, part.firstRay);
-            if (first >= _rays.rays.count) {
+            SubPatch part = stack[--count];
+            part.hitting = _RaysIn(_Widened(HullBox(part.bezier)), part.hitting);
+            if (part.hitting == 0) {
                 continue;
             }
             if (part.splits <= kMaxGridSplits) {
-                _IntersectPart(part, RaysThatHit(Tag(), _rays.rays, _From(first), box));
+                _IntersectPart(part);
             } else {
                 ++_statistics.subdivisionsRegular;
-                _PushQuarters(part, first, stack, &count);
+                _PushQuarters(part, stack, &count);
             }
         }
     }
 
-    void _PushQuarters(const SubPatch& part, int firstRay, SubPatch* stack, int* count) {
+    void _PushQuarters(const SubPatch& part, SubPatch* stack, int* count) {
         BezierRows quarters[4];
         SplitPatch(part.bezier, quarters);
         const Square square = part.square;
@@ -460,18 +457,18 @@ class PatchIntersector {
             const bool isHighU = isTransposed ? isHighRow : isHighColumn;
             const bool isHighV = isTransposed ? isHighColumn : isHighRow;
             const int corner = isHighV ? (isHighU ? 2 : 3) : (isHighU ? 1 : 0);
-            stack[(*count)++] = {quarters[i], square.Quarter(corner), splits, firstRay,
+            stack[(*count)++] = {quarters[i], square.Quarter(corner), splits, part.hitting,
                                  !isTransposed};
         }
     }
 
-    void _IntersectPart(const SubPatch& part, uint64_t hitting) {
+    void _IntersectPart(const SubPatch& part) {
         EvaluatedGrid& grid = _GridAt(part.square);
         if (!_Holds(grid, part.square)) {
             grid.bezier = part.bezier;
             _BeginBezier({part.square, part.isTransposed}, part.splits, &grid);
         }
-        _IntersectGrid(&grid, hitting);
+        _IntersectGrid(&grid, part.hitting);
     }
 
     /// Where a grid lies in its patch. If it is transposed, its columns run along v.
