@@ -14,6 +14,7 @@
 #include "core/render/levelView.h"
 #include "core/render/tileOrder.h"
 #include "core/render/tileRenderer.h"
+#include "core/trace/instanceLevels.h"
 
 namespace cc {
 namespace {
@@ -86,7 +87,8 @@ LevelMetric MakeLevelMetric(const Camera& camera, int width, int height,
     if (!options.adaptive || !canAdapt) {
         return options.level;
     }
-    return {MakeLevelView(camera, width, height), options.pixelError, options.level};
+    return PixelErrorMetric{MakeLevelView(camera, width, height), options.pixelError,
+                            options.level};
 }
 
 bool RenderFrame(const Scene& scene, const Camera& camera, const RenderOptions& options, Film* film,

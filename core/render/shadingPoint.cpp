@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/subdiv/limitPoint.h"
+#include "core/trace/instanceLevels.h"
 
 namespace cc {
 namespace {
@@ -73,10 +74,9 @@ Vec3f TriangleNormal(const Surface& surface, uint32_t patch, float u, float v, i
 bool IsBehind(const Instance& instance, const LimitPoint& limit, const RayPacket& rays,
               const HitPacket& hits, int lane, const LevelMetric& levels) {
     const PatchLevels of = InstanceLevels(levels, instance).Of(hits.patch[lane]);
-    const int coarsest = *std::min_element(std::begin(of.edges), std::end(of.edges));
     const Vec3f direction = Normalize(instance.worldToObject.Direction(RayDirection(rays, lane)));
     const float cosine = Dot(limit.normal, direction);
-    if (std::fabs(cosine) > GrazingCosine(coarsest)) {
+    if (std::fabs(cosine) > GrazingCosine(of.Coarsest())) {
         return cosine > 0;
     }
     // At silhouettes the triangle decides: a flipped normal would be lit from the far side.

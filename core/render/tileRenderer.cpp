@@ -6,6 +6,7 @@
 #include "core/render/directLight.h"
 #include "core/render/pixelSampler.h"
 #include "core/trace/gridStitch.h"
+#include "core/trace/instanceLevels.h"
 
 namespace cc {
 namespace {
@@ -239,7 +240,7 @@ void TileRenderer::_WriteLevels(const Tile& tile, const Sample& sample) const {
             const Instance& instance = _scene.Instances().Instances()[hits.instance[lane]];
             levels = InstanceLevels(_levels, instance).Of(hits.patch[lane]);
             const int depth = instance.surface->Patches().At(hits.patch[lane]).depth;
-            isInFan = GridStitch(levels, {0, 0, 1}, 1 << (levels.interior - depth), false)
+            isInFan = GridStitch(levels, {0, 0, 1}, 1 << (levels.Finest() - depth), false)
                           .IsInFan({hits.u[lane], hits.v[lane]});
         }
         if (level) level[pixel] = sample.IsHit(lane) ? levels.interior : -1;

@@ -17,7 +17,7 @@
 #include "core/subdiv/limitPoint.h"
 #include "core/trace/bezierRows-inl.h"
 #include "core/trace/gridFrame-inl.h"
-#include "core/trace/levelMetric.h"
+#include "core/trace/instanceLevels.h"
 #include "core/trace/limitGrid-inl.h"
 #include "core/trace/patchRays-inl.h"
 #include "core/trace/patchSquare.h"
@@ -180,7 +180,7 @@ class PatchIntersector {
         }
     }
 
-    /// Finds the levels of a patch; returns the one inside.
+    /// Finds the levels of a patch; returns the finest.
     int _FindLevels(uint32_t patch) {
         if (_levels.IsUniform()) {
             return _levels.Uniform();
@@ -195,7 +195,7 @@ class PatchIntersector {
             _patchLevels = _levels.Of(patch);
         }
         _isStitched = !_patchLevels.AreEqual();
-        return _patchLevels.interior;
+        return _patchLevels.Finest();
     }
 
     /// Intersects rays with a part of a patch that no plan holds and that must be stitched: its

@@ -177,7 +177,8 @@ class Bench {
         MakeSquare(&camera);
         const auto count = static_cast<double>(_SetOfName("primary").rays.size());
         const int size = static_cast<int>(std::lround(std::sqrt(count)));
-        return {MakeLevelView(camera, size, size), cc::RenderOptions().pixelError, finest};
+        return cc::PixelErrorMetric{MakeLevelView(camera, size, size),
+                                    cc::RenderOptions().pixelError, finest};
     }
 
     const RaySet& _SetOfName(const std::string& name) const {

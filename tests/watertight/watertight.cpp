@@ -234,8 +234,9 @@ class ChangingLevels {
         view.leastCosine = 0.3f + 0.7f * unit(_random);
         const float size = bounds.Diagonal() / std::max(surface.Bounds().Diagonal(), 1e-30f);
         const float error = surface.Errors().Largest() * size / away;
-        return {view, error * std::exp2(-2.0f * static_cast<float>(_count.level) * unit(_random)),
-                _count.level};
+        return PixelErrorMetric{
+            view, error * std::exp2(-2.0f * static_cast<float>(_count.level) * unit(_random)),
+            _count.level};
     }
 
     const PlacedCage& _cage;

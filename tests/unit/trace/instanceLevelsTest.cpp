@@ -1,4 +1,4 @@
-#include "core/trace/levelMetric.h"
+#include "core/trace/instanceLevels.h"
 
 #include <algorithm>
 #include <array>
@@ -36,7 +36,7 @@ LevelView RandomView(const Box3f& bounds, std::mt19937* random) {
     return view;
 }
 
-class LevelMetricTest : public testing::TestWithParam<Cage> {};
+class InstanceLevelsTest : public testing::TestWithParam<Cage> {};
 
 using EdgePart = std::array<std::array<int, 3>, 2>;
 
@@ -52,7 +52,7 @@ std::array<int, 3> PlaceOf(const Surface& surface, uint32_t patch, const Vec2f& 
 }
 
 /// Cages with patches of several sizes side by side are what this is about.
-TEST_P(LevelMetricTest, AnEdgeHasOneLevelFromAllSides) {
+TEST_P(InstanceLevelsTest, AnEdgeHasOneLevelFromAllSides) {
     const TracedCage traced(GetParam());
     const Surface& surface = *traced.surface;
     const PatchTable& patches = surface.Patches();
@@ -63,7 +63,7 @@ TEST_P(LevelMetricTest, AnEdgeHasOneLevelFromAllSides) {
     const int finest = patches.MaxDepth();
     std::mt19937 random(5);
     for (int round = 0; round < 40; ++round) {
-        const LevelMetric metric(RandomView(traced.world.Bounds(), &random), 0.25f, 8);
+        const PixelErrorMetric metric{RandomView(traced.world.Bounds(), &random), 0.25f, 8};
         const InstanceLevels levels(metric, traced.world.Instances()[0]);
         std::map<EdgePart, int> found;
         for (uint32_t patch = 0; patch < patches.Count(); ++patch) {
@@ -103,7 +103,7 @@ Vec3f OnQuads(const Surface& surface, uint32_t patch, int splits, float u, float
            least * at(1, 1);
 }
 
-TEST_P(LevelMetricTest, QuadsAreNoFurtherFromTheSurfaceThanErrorsSay) {
+TEST_P(InstanceLevelsTest, QuadsAreNoFurtherFromTheSurfaceThanErrorsSay) {
     const TracedCage traced(GetParam());
     const Surface& surface = *traced.surface;
     const PatchTable& patches = surface.Patches();
@@ -134,7 +134,7 @@ TEST_P(LevelMetricTest, QuadsAreNoFurtherFromTheSurfaceThanErrorsSay) {
 }
 
 /// Rays from the eye hit what they hit on the finest quads, but for the error that is allowed.
-TEST_P(LevelMetricTest, HitsAreWithinTheErrorInThePicture) {
+TEST_P(InstanceLevelsTest, HitsAreWithinTheErrorInThePicture) {
     const TracedCage traced(GetParam());
     const Box3f bounds = traced.world.Bounds();
     std::mt19937 random(9);
@@ -149,8 +149,9 @@ TEST_P(LevelMetricTest, HitsAreWithinTheErrorInThePicture) {
         view.pixels = 400;
         view.leastCosine = 0.5f;
         const float pixelError = n % 2 == 0 ? 0.25f : 2;
-        const auto tracer = MakeTracer(TracerKind::Packet, LevelMetric(view, pixelError, 6));
-        const InstanceLevels levels(LevelMetric(view, pixelError, 6), traced.world.Instances()[0]);
+        const PixelErrorMetric metric{view, pixelError, 6};
+        const auto tracer = MakeTracer(TracerKind::Packet, metric);
+        const InstanceLevels levels(metric, traced.world.Instances()[0]);
         RayPacket expectedRays = rays;
         HitPacket hits, expected;
         TraceStatistics statistics;
@@ -178,7 +179,7 @@ TEST_P(LevelMetricTest, HitsAreWithinTheErrorInThePicture) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Catalogue, LevelMetricTest, testing::ValuesIn(Sample(AllCages())),
+INSTANTIATE_TEST_SUITE_P(Catalogue, InstanceLevelsTest, testing::ValuesIn(Sample(AllCages())),
                          TestName);
 
 }  // namespace
