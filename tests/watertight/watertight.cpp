@@ -232,6 +232,11 @@ class ChangingLevels {
         view.pixels = 1;
         view.isOrthographic = false;
         view.leastCosine = 0.3f + 0.7f * unit(_random);
+        if (_random() % 2 == 0) {
+            // Fine ends somewhere between the surface's nearest point and its furthest.
+            const float end = away * std::pow(bounds.Diagonal() / away, unit(_random));
+            return DistanceMetric{view.eye, std::ldexp(end, _count.level), _count.level};
+        }
         const float size = bounds.Diagonal() / std::max(surface.Bounds().Diagonal(), 1e-30f);
         const float error = surface.Errors().Largest() * size / away;
         return PixelErrorMetric{

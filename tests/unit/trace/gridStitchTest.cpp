@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <random>
+#include <set>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -52,6 +54,65 @@ TEST(GridStitch, BordersKeepThePointsOfTheirLevel) {
         for (int column = 1; column < 8; ++column) {
             EXPECT_EQ(grid.At(row, column), before.At(row, column));
         }
+    }
+}
+
+/// A coarser inside keeps the points of its level, and between them and a finer edge are fans.
+TEST(GridStitch, InsideKeepsThePointsOfItsLevel) {
+    const GridStitch stitch({2, {3, 2, 1, 2}}, {0, 0, 1}, 8, false);
+    ASSERT_TRUE(stitch.IsNeeded());
+    const LimitGrid before = Bumpy(8);
+    LimitGrid grid = before;
+    stitch.Apply(&grid);
+    std::set<std::pair<float, float>> kept;
+    for (int row = 1; row < 8; ++row) {
+        for (int column = 1; column < 8; ++column) {
+            const Vec3f p = grid.At(row, column);
+            kept.insert({p.x, p.y});
+            EXPECT_EQ(p, before.At(static_cast<int>(p.y), static_cast<int>(p.x)));
+        }
+    }
+    EXPECT_EQ(kept.size(), 9u);
+    EXPECT_EQ(*kept.begin(), std::make_pair(2.0f, 2.0f));
+    EXPECT_EQ(*kept.rbegin(), std::make_pair(6.0f, 6.0f));
+    for (int i = 0; i <= 8; ++i) {
+        EXPECT_EQ(grid.At(0, i), before.At(0, i));  // v = 0 is finer
+        EXPECT_EQ(static_cast<int>(grid.At(i, 8).y) % 2, 0);
+        EXPECT_EQ(static_cast<int>(grid.At(8, i).x) % 4, 0);
+    }
+    EXPECT_TRUE(stitch.IsInFan(3, 1));
+    EXPECT_FALSE(stitch.IsInFan(3, 2));
+    EXPECT_TRUE(stitch.IsInFan(3, 6));
+    EXPECT_FALSE(stitch.IsInFan(0, 3));
+}
+
+/// Moved quads cover the square once, whatever the levels.
+TEST(GridStitch, MovedQuadsCoverTheSquare) {
+    std::mt19937 random(5);
+    for (int n = 0; n < 500; ++n) {
+        const int side = 1 << (random() % 5);
+        PatchLevels levels;
+        levels.interior = static_cast<uint8_t>(random() % 5);
+        for (uint8_t& edge : levels.edges) {
+            edge = static_cast<uint8_t>(random() % 5);
+        }
+        const float size = random() % 2 == 0 ? 1 : 0.5f;
+        const Square square{size == 1 ? 0 : 0.5f * static_cast<float>(random() % 2),
+                            size == 1 ? 0 : 0.5f * static_cast<float>(random() % 2), size};
+        LimitGrid grid = Bumpy(side);
+        GridStitch(levels, square, side, random() % 2 == 0).Apply(&grid);
+        double area = 0;
+        for (int row = 0; row < side; ++row) {
+            for (int column = 0; column < side; ++column) {
+                const Vec3f a = grid.At(row, column), b = grid.At(row, column + 1),
+                            c = grid.At(row + 1, column + 1), d = grid.At(row + 1, column);
+                for (const float part : {Cross(b - a, c - a).z, Cross(c - a, d - a).z}) {
+                    EXPECT_GE(part, 0);
+                    area += 0.5 * part;
+                }
+            }
+        }
+        EXPECT_EQ(area, side * side) << n;
     }
 }
 

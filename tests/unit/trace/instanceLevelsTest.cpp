@@ -36,6 +36,15 @@ LevelView RandomView(const Box3f& bounds, std::mt19937* random) {
     return view;
 }
 
+LevelMetric RandomMetric(const Box3f& bounds, bool isByDistance, std::mt19937* random) {
+    const LevelView view = RandomView(bounds, random);
+    if (!isByDistance) {
+        return PixelErrorMetric{view, 0.25f, 8};
+    }
+    std::uniform_real_distribution<float> unit(0, 1);
+    return DistanceMetric{view.eye, bounds.Diagonal() * std::exp2(6 + 3 * unit(*random)), 8};
+}
+
 class InstanceLevelsTest : public testing::TestWithParam<Cage> {};
 
 using EdgePart = std::array<std::array<int, 3>, 2>;
@@ -63,7 +72,7 @@ TEST_P(InstanceLevelsTest, AnEdgeHasOneLevelFromAllSides) {
     const int finest = patches.MaxDepth();
     std::mt19937 random(5);
     for (int round = 0; round < 40; ++round) {
-        const PixelErrorMetric metric{RandomView(traced.world.Bounds(), &random), 0.25f, 8};
+        const LevelMetric metric = RandomMetric(traced.world.Bounds(), round % 2 == 0, &random);
         const InstanceLevels levels(metric, traced.world.Instances()[0]);
         std::map<EdgePart, int> found;
         for (uint32_t patch = 0; patch < patches.Count(); ++patch) {
@@ -81,11 +90,63 @@ TEST_P(InstanceLevelsTest, AnEdgeHasOneLevelFromAllSides) {
                     const int level = found.try_emplace(part, of.edges[edge]).first->second;
                     ASSERT_EQ(level, of.edges[edge]) << "patch " << patch << ", edge " << edge;
                 }
-                EXPECT_LE(of.edges[edge], of.interior);
                 EXPECT_GE(of.edges[edge], finest);
             }
         }
     }
+}
+
+/// The middle of a patch is coarse, medium or fine by where its distance is among powers of two.
+TEST_P(InstanceLevelsTest, DistanceChoosesOneOfThreeLevels) {
+    const TracedCage traced(GetParam());
+    const PatchTable& patches = traced.surface->Patches();
+    if (patches.IsCutAlike()) {
+        return;  // has one level
+    }
+    std::mt19937 random(7);
+    for (int round = 0; round < 20; ++round) {
+        const LevelView view = RandomView(traced.world.Bounds(), &random);
+        const DistanceMetric metric{view.eye, 20 * traced.world.Bounds().Diagonal(), 6};
+        const InstanceLevels levels(metric, traced.world.Instances()[0]);
+        for (uint32_t patch = 0; patch < patches.Count(); ++patch) {
+            EdgePoints ends[4];
+            patches.EdgeEnds(patch, ends);
+            std::array<double, 3> middle{};
+            for (int axis = 0; axis < 3; ++axis) {
+                for (const EdgePoints& edge : ends) {
+                    middle[axis] += (traced.surface->PatchPoints()[edge.a][axis] +
+                                     traced.surface->PatchPoints()[edge.b][axis]) /
+                                    8.0;
+                }
+                middle[axis] -= view.eye[axis];
+            }
+            const double level =
+                std::log2(metric.reach / std::hypot(middle[0], middle[1], middle[2]));
+            const auto expected = [&](double slack) {
+                return std::clamp(static_cast<int>(std::floor(level + slack)), 4, 6);
+            };
+            EXPECT_GE(levels.Of(patch).interior, expected(-1e-4)) << patch;
+            EXPECT_LE(levels.Of(patch).interior, expected(1e-4)) << patch;
+        }
+    }
+}
+
+/// Where neighbours differ the finer one ends in no fans, but where quads are long and thin.
+TEST(InstanceLevels, FansAreOnTheCoarserSide) {
+    const TracedCage traced(Cube());
+    const PatchTable& patches = traced.surface->Patches();
+    std::mt19937 random(9);
+    int fanned = 0;
+    for (int round = 0; round < 200; ++round) {
+        const LevelMetric metric = RandomMetric(traced.world.Bounds(), true, &random);
+        const InstanceLevels levels(metric, traced.world.Instances()[0]);
+        for (uint32_t patch = 0; patch < patches.Count(); ++patch) {
+            const PatchLevels of = levels.Of(patch);
+            EXPECT_EQ(of.Coarsest(), of.interior);
+            fanned += of.Finest() > of.interior;
+        }
+    }
+    EXPECT_GT(fanned, 100);
 }
 
 /// The point of a level's quads at parameters of a quad patch.
