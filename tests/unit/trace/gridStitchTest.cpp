@@ -149,6 +149,14 @@ TEST(GridStitch, SaysHowFarBordersHaveMoved) {
     grid = flat;
     grid.points[2][0][2] = 5;
     EXPECT_EQ(stitch.Apply(&grid), 5);
+    // Of points inside, how far they are from the quads that stay, and how far those are twisted.
+    const GridStitch inner({1, {3, 3, 3, 3}}, {0, 0, 1}, 8, false);
+    grid = flat;
+    grid.points[2][3][2] = 5;
+    EXPECT_EQ(inner.Apply(&grid), 5);
+    grid = flat;
+    grid.points[2][4][4] = 8;
+    EXPECT_GE(inner.Apply(&grid), 8);
 }
 
 /// What a quad shows after points have moved lies in the range that it was widened to.
