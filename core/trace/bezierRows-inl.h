@@ -6,6 +6,8 @@
 #define CC_TRACE_BEZIER_ROWS_INL_H
 #endif
 
+#include <algorithm>
+
 #include <hwy/highway.h>
 
 #include "core/math/box.h"
@@ -77,19 +79,32 @@ HWY_INLINE void GatherRegular(const PatchTable& patches, uint32_t patch, const V
     const uint32_t* const indices = patches.Indices(patch);
     const BezierConversion& conversion = kBezierConversions[patches.At(patch).extrapolatedSides];
     alignas(64) float coordinates[4][16] = {};
-    for (size_t lane = 0; lane < 16; lane += hn::Lanes(d)) {
-        auto x = hn::Zero(d), y = x, z = x;
+    // So many vectors of sums share what is loaded of a point.
+    constexpr size_t kVectors = 2;
+    for (size_t lane = 0; lane < 16; lane += kVectors * hn::Lanes(d)) {
+        hn::Vec<decltype(d)> sums[3][kVectors];
+        for (auto& axis : sums) {
+            std::fill(axis, axis + kVectors, hn::Zero(d));
+        }
         for (int i = 0; i < 16; ++i) {
             const Vec3f& p = points[indices[i]];
-            const auto weight = hn::Load(d, conversion.weights[i] + lane);
-            x = hn::MulAdd(weight, hn::Set(d, static_cast<double>(p.x)), x);
-            y = hn::MulAdd(weight, hn::Set(d, static_cast<double>(p.y)), y);
-            z = hn::MulAdd(weight, hn::Set(d, static_cast<double>(p.z)), z);
+            const auto x = hn::Set(d, static_cast<double>(p.x)),
+                       y = hn::Set(d, static_cast<double>(p.y)),
+                       z = hn::Set(d, static_cast<double>(p.z));
+            for (size_t k = 0; k < kVectors; ++k) {
+                const auto weight = hn::Load(d, conversion.weights[i] + lane + k * hn::Lanes(d));
+                sums[0][k] = hn::MulAdd(weight, x, sums[0][k]);
+                sums[1][k] = hn::MulAdd(weight, y, sums[1][k]);
+                sums[2][k] = hn::MulAdd(weight, z, sums[2][k]);
+            }
         }
         const auto scale = hn::Set(d, 1 / 36.0);
-        hn::Store(hn::DemoteTo(df, hn::Mul(x, scale)), df, coordinates[0] + lane);
-        hn::Store(hn::DemoteTo(df, hn::Mul(y, scale)), df, coordinates[1] + lane);
-        hn::Store(hn::DemoteTo(df, hn::Mul(z, scale)), df, coordinates[2] + lane);
+        for (size_t k = 0; k < kVectors; ++k) {
+            for (int axis = 0; axis < 3; ++axis) {
+                hn::Store(hn::DemoteTo(df, hn::Mul(sums[axis][k], scale)), df,
+                          coordinates[axis] + lane + k * hn::Lanes(d));
+            }
+        }
     }
     const hn::CappedTag<float, 16> rows;
     for (int row = 0; row < 4; ++row) {

@@ -21,21 +21,22 @@ void TracePatches(const InstanceBvh& instances, const LevelMetric& levels, const
                   ObjectRays* worldRays, HitPacket* hits, SharedGrids* grids,
                   TraceStatistics* statistics) {
     constexpr ChildOrder kOrder = kAnyHit ? ChildOrder::Any : ChildOrder::NearestFirst;
-    TraceParts<kOrder, Rays>(instances, world, worldRays, statistics,
-                             [&](uint32_t instance, Rays* rays, const TraversalStart& start) {
-                                 const Surface& surface = *instances.Instances()[instance].surface;
-                                 PatchIntersector<Rays, kAnyHit> intersector(
-                                     instances.Instances()[instance], instance, levels, rays, hits,
-                                     grids, statistics);
-                                 TraverseBvh<kOrder>(
-                                     surface.PatchBvh(), start, rays, statistics,
-                                     [&](uint32_t patch, uint64_t hitting, const Box3f& box) {
-                                         intersector.Intersect(patch, hitting, box);
-                                         return !intersector.IsDone();
-                                     },
-                                     [&](uint32_t patch) { surface.Patches().Prefetch(patch); });
-                                 return !intersector.IsDone();
-                             });
+    TraceParts<kOrder, Rays>(
+        instances, world, worldRays, statistics,
+        [&](uint32_t instance, Rays* rays, const TraversalStart& start) {
+            const Surface& surface = *instances.Instances()[instance].surface;
+            PatchIntersector<Rays, kAnyHit> intersector(instances.Instances()[instance], instance,
+                                                        levels, rays, hits, grids, statistics);
+            TraverseBvh<kOrder>(
+                surface.PatchBvh(), start, rays, statistics,
+                [&](uint32_t patch, uint64_t hitting, const Box3f& box) {
+                    intersector.Intersect(patch, hitting, box);
+                    return !intersector.IsDone();
+                },
+                [&](uint32_t patch)
+                    __attribute__((always_inline)) { surface.Patches().Prefetch(patch); });
+            return !intersector.IsDone();
+        });
 }
 
 void IntersectPacket(const InstanceBvh& instances, const LevelMetric& levels, ObjectRays* worldRays,

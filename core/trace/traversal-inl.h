@@ -138,7 +138,7 @@ struct RaysOfBoxes {
 template <ChildOrder kOrder, class Rays, class Prefetch>
 HWY_INLINE void PushChildren(const BvhNode& node, const Rays& rays, uint64_t among,
                              TraversalStack<kOrder>* stack, const Prefetch& prefetch) {
-    const auto announce = [&](uint32_t child) {
+    const auto announce = [&](uint32_t child) __attribute__((always_inline)) {
         if ((child & kBvhLeaf) != 0) {
             prefetch(child & ~kBvhLeaf);
         }
