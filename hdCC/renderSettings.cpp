@@ -17,6 +17,7 @@ TF_DEFINE_PRIVATE_TOKENS(
     ((tracer, "hdcc:tracer"))
     ((adaptive, "hdcc:adaptive"))
     ((pixelError, "hdcc:pixelError"))
+    ((alpha, "hdcc:alpha"))
     ((level, "hdcc:level"))
     ((integrator, "hdcc:integrator"))
     ((samples, "hdcc:samples"))
@@ -74,6 +75,13 @@ static std::vector<_Setting> const &_Settings() {
          {},
          0.001,
          1000},
+        {_tokens->alpha,
+         "Levels by distance (0: by error)",
+         _Kind::Number,
+         VtValue(0.0f),
+         {},
+         0,
+         1e9},
         {_tokens->level, "Finest level", _Kind::Integer, VtValue(4), {}, 0, 8},
         {_tokens->integrator,
          "Integrator",
@@ -231,6 +239,7 @@ cc::RenderOptions HdCCRenderOptions(HdRenderDelegate const &delegate) {
     options.integrator = cc::IntegratorKind::Raycast;
     options.adaptive = delegate.GetRenderSetting(_tokens->adaptive, options.adaptive);
     options.pixelError = delegate.GetRenderSetting(_tokens->pixelError, options.pixelError);
+    options.alpha = delegate.GetRenderSetting(_tokens->alpha, options.alpha);
     options.level = delegate.GetRenderSetting(_tokens->level, options.level);
     options.samples = delegate.GetRenderSetting(_tokens->samples, options.samples);
     options.seed = delegate.GetRenderSetting(_tokens->seed, options.seed);

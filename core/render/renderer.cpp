@@ -80,15 +80,19 @@ std::array<uint64_t, kFinestLevel + 1> CountLevels(const Scene& scene, const Lev
 
 }  // namespace
 
-LevelMetric MakeLevelMetric(const Camera& camera, int width, int height,
+LevelMetric MakeLevelMetric(const Scene& scene, const Camera& camera, int width, int height,
                             const RenderOptions& options) {
     const bool canAdapt =
         options.tracer == TracerKind::Packet || options.tracer == TracerKind::Single;
     if (!options.adaptive || !canAdapt) {
         return options.level;
     }
-    return PixelErrorMetric{MakeLevelView(camera, width, height), options.pixelError,
-                            options.level};
+    const LevelView view = MakeLevelView(camera, width, height);
+    const float reach = options.alpha * scene.Instances().Bounds().Diagonal();
+    if (reach > 0) {
+        return DistanceMetric{view.eye, reach, options.level};
+    }
+    return PixelErrorMetric{view, options.pixelError, options.level};
 }
 
 bool RenderFrame(const Scene& scene, const Camera& camera, const RenderOptions& options, Film* film,
@@ -112,7 +116,7 @@ bool RenderFrame(const Scene& scene, const Camera& camera, const RenderOptions& 
     if (valid.tracer == TracerKind::Tessellated && !scene.TessellationFits()) {
         valid.tracer = TracerKind::Packet;  // as Scene::Build has said
     }
-    const LevelMetric levels = MakeLevelMetric(camera, film->Width(), film->Height(), valid);
+    const LevelMetric levels = MakeLevelMetric(scene, camera, film->Width(), film->Height(), valid);
     const std::unique_ptr<Tracer> tracer = MakeTracer(valid.tracer, levels);
     const TileRenderer renderer(scene, cameraRays, *tracer, levels, valid, film);
     const std::vector<Tile> tiles = TilesFromTheMiddle(film->Width(), film->Height());

@@ -23,6 +23,8 @@ struct RenderOptions {
     bool adaptive = true;
     /// Pixels that quads may be off the surface by in the picture; above 0.
     float pixelError = 0.25f;
+    /// Above 0: levels by distance instead, with the paper's alpha (DistanceLevels).
+    float alpha = 0;
     int level = 4;     ///< 0..8, the finest if adaptive, else of all
     int samples = 16;  ///< a pixel, 1 or more
     int seed = 0;
@@ -54,7 +56,7 @@ struct RenderStatistics {
 };
 
 /// How finely a frame cuts surfaces.
-LevelMetric MakeLevelMetric(const Camera& camera, int width, int height,
+LevelMetric MakeLevelMetric(const Scene& scene, const Camera& camera, int width, int height,
                             const RenderOptions& options);
 
 /// Renders a built scene into the planes that the film has. The result is the same for any number

@@ -25,7 +25,8 @@ PatchLevels DistanceLevels::Of(uint32_t patch) const {
     PatchLevels levels;
     Vec3f sum;
     for (int i = 0; i < 4; ++i) {
-        const Vec3f a = _space.FromObject(points[ends[i].a]), b = _space.FromObject(points[ends[i].b]);
+        const Vec3f a = _space.FromObject(points[ends[i].a]),
+                    b = _space.FromObject(points[ends[i].b]);
         // Both sides round alike. The middles of patches that are no longer than their edges lie
         // within an edge's length.
         const float distance = 0.5f * Length(a + b) - Length(a - b);

@@ -10,8 +10,8 @@ namespace cc {
 /// or fine, by log2(reach / D), where D is how far the middle of a patch is from the eye.
 ///
 /// An edge has a level of its own that follows from the control points at its ends: that of what is
-/// as near as the nearest that may lie on either side of it. Where neighbours differ it is the finer
-/// one's, and the coarser one ends in fans.
+/// as near as the nearest that may lie on either side of it. Where neighbours differ it is the
+/// finer one's, and the coarser one ends in fans.
 class DistanceLevels {
   public:
     DistanceLevels(const DistanceMetric& metric, const Instance& instance);

@@ -50,7 +50,8 @@ float GridStitch::Apply(LimitGrid* grid) const {
     const float deviation = std::max(_BorderDeviation(*grid), _InnerDeviation(*grid));
     // Points that others move onto stay where they are.
     for (int row = 0; row <= _side; ++row) {
-        for (int column = 0; column <= _side; ++column) {
+        const bool isInside = row > 0 && row < _side && _innerStep == 1;
+        for (int column = 0; column <= _side; column += isInside ? _side : 1) {
             int fromColumn = column, fromRow = row;
             _Move(&fromColumn, &fromRow);
             for (auto& points : grid->points) {
@@ -94,10 +95,9 @@ float GridStitch::_InnerDeviation(const LimitGrid& grid) const {
             const float u = static_cast<float>(column - c) / static_cast<float>(step);
             const Vec3f corners[4] = {grid.At(r, c), grid.At(r, c + step),
                                       grid.At(r + step, c + step), grid.At(r + step, c)};
-            const Vec3f off = grid.At(row, column) - (((1 - u) * (1 - v)) * corners[0] +
-                                                      (u * (1 - v)) * corners[1] +
-                                                      (u * v) * corners[2] +
-                                                      ((1 - u) * v) * corners[3]);
+            const Vec3f off = grid.At(row, column) -
+                              (((1 - u) * (1 - v)) * corners[0] + (u * (1 - v)) * corners[1] +
+                               (u * v) * corners[2] + ((1 - u) * v) * corners[3]);
             const Vec3f bent = (corners[0] - corners[1]) + (corners[2] - corners[3]);
             square = std::max(square, Dot(off, off));
             twist = std::max(twist, Dot(bent, bent));

@@ -62,9 +62,10 @@ class LevelMetric {
   public:
     using Rule = std::variant<UniformMetric, PixelErrorMetric, DistanceMetric>;
 
-    LevelMetric(int level) : _rule(UniformMetric{level}) {}      // NOLINT(google-explicit-constructor)
-    LevelMetric(const PixelErrorMetric& rule) : _rule(rule) {}  // NOLINT(google-explicit-constructor)
-    LevelMetric(const DistanceMetric& rule) : _rule(rule) {}    // NOLINT(google-explicit-constructor)
+    LevelMetric(int level) : _rule(UniformMetric{level}) {}  // NOLINT(google-explicit-constructor)
+    LevelMetric(const PixelErrorMetric& rule)
+        : _rule(rule) {}                                      // NOLINT(google-explicit-constructor)
+    LevelMetric(const DistanceMetric& rule) : _rule(rule) {}  // NOLINT(google-explicit-constructor)
 
     const Rule& GetRule() const { return _rule; }
     /// Of tracers that cut all patches alike.

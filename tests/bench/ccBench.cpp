@@ -16,8 +16,12 @@
 //     compare TRACER LEVEL SET [LEVEL]   nearest hits that differ from those of packet, at the same
 //                                        level or another
 //     memory                             what the structures hold
+//     draw-levels FILE SIZE TRACER LEVEL VIEW   a picture of levels (levelPicture.h); VIEW is
+//     camera
+//                                        or above, of the levels for the same camera
 //
-// The tracer "adaptive" is "packet" with levels as the camera needs them, up to LEVEL.
+// The tracers "adaptive" and "adaptive-distance" are "packet" with levels as the camera needs them,
+// by error or by distance, up to LEVEL.
 
 #include <cmath>
 #include <cstdio>
@@ -29,8 +33,8 @@
 
 #include "builtScene.h"
 #include "commands.h"
-#include "core/render/levelView.h"
 #include "core/render/renderer.h"
+#include "levelPicture.h"
 #include "rayMaker.h"
 #include "tracing.h"
 
@@ -132,7 +136,27 @@ class Bench {
         const HitDifferences found =
             CompareHits(_built->Scene(), _TracerFor("packet", reference), _TracerFor(tracer, level),
                         _SetOfName(WordAt(words, 2)));
-        return Answer().Count("hits", found.hits).Count("distances", found.distances);
+        return Answer()
+            .Count("hits", found.hits)
+            .Count("distances", found.distances)
+            .Number("picture", found.picture);
+    }
+
+    Answer DrawLevels(const Words& words) const {
+        const int size = NumberAt(words, 1, 8, 16384), level = NumberAt(words, 3, 0, 8);
+        const std::string& view = WordAt(words, 4);
+        if (view != "camera" && view != "above") {
+            throw std::runtime_error("there is no view '" + view + "'");
+        }
+        _RequireScene();
+        cc::Camera camera = _source.camera;
+        MakeSquare(&camera);
+        const cc::LevelMetric levels = _AdaptiveLevels(WordAt(words, 2), level, size);
+        if (view == "above") {
+            camera = CameraFromAbove(_built->Scene().Instances().Bounds());
+        }
+        WriteLevelPicture(_built->Scene(), levels, camera, size, WordAt(words, 0));
+        return Answer();
     }
 
     Answer Memory() const {
@@ -164,21 +188,25 @@ class Bench {
 
     const cc::Tracer& _TracerFor(const std::string& name, int level) {
         std::unique_ptr<cc::Tracer>& tracer = _tracers[{name, level}];
-        if (!tracer) {
-            tracer = name == "adaptive" ? MakeTracer(cc::TracerKind::Packet, _AdaptiveLevels(level))
-                                        : MakeTracer(TracerKindOfName(name), level);
+        if (!tracer && (name == "adaptive" || name == "adaptive-distance")) {
+            const auto pixels = static_cast<double>(_SetOfName("primary").rays.size());
+            const int size = static_cast<int>(std::lround(std::sqrt(pixels)));
+            tracer = MakeTracer(cc::TracerKind::Packet, _AdaptiveLevels(name, level, size));
+        } else if (!tracer) {
+            tracer = MakeTracer(TracerKindOfName(name), level);
         }
         return *tracer;
     }
 
-    /// The levels of a picture with as many pixels as there are primary rays.
-    cc::LevelMetric _AdaptiveLevels(int finest) const {
+    /// The levels of a square picture: by error, or by distance, where the finest ends after an
+    /// eighth of the scene's diameter.
+    cc::LevelMetric _AdaptiveLevels(const std::string& name, int finest, int size) const {
         cc::Camera camera = _source.camera;
         MakeSquare(&camera);
-        const auto count = static_cast<double>(_SetOfName("primary").rays.size());
-        const int size = static_cast<int>(std::lround(std::sqrt(count)));
-        return cc::PixelErrorMetric{MakeLevelView(camera, size, size),
-                                    cc::RenderOptions().pixelError, finest};
+        cc::RenderOptions options;
+        options.level = finest;
+        options.alpha = name == "adaptive" ? 0 : std::ldexp(1.0f, finest - 3);
+        return MakeLevelMetric(_built->Scene(), camera, size, size, options);
     }
 
     const RaySet& _SetOfName(const std::string& name) const {
@@ -211,6 +239,7 @@ void Serve(const std::string& path) {
         {"texture",
          [&](const Words& words) { return bench.Trace(words, HitValues::TextureCoordinates); }},
         {"compare", [&](const Words& words) { return bench.Compare(words); }},
+        {"draw-levels", [&](const Words& words) { return bench.DrawLevels(words); }},
         {"memory", [&](const Words&) { return bench.Memory(); }},
     });
 }

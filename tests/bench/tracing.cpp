@@ -1,5 +1,6 @@
 #include "tracing.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <memory>
@@ -83,6 +84,20 @@ class Worker {
     cc::Vec3f _sink;
 };
 
+/// What a white light at the origin of a ray makes of what it hits; black is what it misses.
+float HeadLit(const cc::Scene& scene, const cc::RayPacket& rays, const cc::HitPacket& hits, int i) {
+    if (hits.instance[i] == cc::kNoHit) {
+        return 0;
+    }
+    const cc::Instance& instance = scene.Instances().Instances()[hits.instance[i]];
+    const cc::LimitPoint limit =
+        EvaluateLimit(instance.surface->Patches(), hits.patch[i],
+                      instance.surface->PatchPoints().data(), hits.u[i], hits.v[i]);
+    const cc::Vec3f direction{rays.directionX[i], rays.directionY[i], rays.directionZ[i]};
+    const cc::Vec3f normal = Normalize(instance.worldToObject.NormalByInverse(limit.normal));
+    return std::abs(Dot(normal, Normalize(direction)));
+}
+
 }  // namespace
 
 void FillPacket(const Ray* rays, int count, cc::RayPacket* packet) {
@@ -128,6 +143,8 @@ HitDifferences CompareHits(const cc::Scene& scene, const cc::Tracer& a, const cc
             tracers[k]->Intersect(scene.Instances(), &rays[k], &hits[k], &statistics);
         }
         for (int i = 0; i < count; ++i) {
+            found.picture +=
+                std::abs(HeadLit(scene, rays[0], hits[0], i) - HeadLit(scene, rays[1], hits[1], i));
             const bool isHit = hits[0].instance[i] != cc::kNoHit;
             const float t = rays[0].tMax[i];
             if (isHit != (hits[1].instance[i] != cc::kNoHit)) {
@@ -138,6 +155,7 @@ HitDifferences CompareHits(const cc::Scene& scene, const cc::Tracer& a, const cc
         }
         next += count;
     }
+    found.picture /= static_cast<double>(std::max<size_t>(set.rays.size(), 1));
     return found;
 }
 

@@ -27,6 +27,8 @@ struct HitDifferences {
     uint64_t hits = 0;
     /// Rays that both have hit, at distances that differ by more than a thousandth.
     uint64_t distances = 0;
+    /// The mean difference of their pictures, a pixel a ray, lit by a white light at the eye.
+    double picture = 0;
 };
 HitDifferences CompareHits(const cc::Scene& scene, const cc::Tracer& a, const cc::Tracer& b,
                            const RaySet& set);

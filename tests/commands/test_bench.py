@@ -226,12 +226,16 @@ def test_suite(run, scene: Path, suite: str) -> None:
     for row in rows:
         differences = row.get("differences", {"hits": 0, "distances": 0})
         # Table 6 compares with the finest level: a coarse one is elsewhere.
-        if suite != "table6" or (row["tracer"], row["level"]) == ("packet", 5):
+        if suite != "table6" or (row["tracer"], row["level"]) == ("packet", 8):
             assert differences["hits"] + differences["distances"] <= 2
     if suite == "table6":
+        tracers = ("packet", "adaptive-distance", "adaptive")
         levels = [(row["level"], row["tracer"]) for row in rows]
-        assert levels == [(n, name) for n in (2, 3, 4, 5) for name in ("packet", "adaptive")]
-        assert all(row["ratios"]["primary"] > 0 and row["ratios"]["shadow"] > 0 for row in rows)
+        assert levels == [(n, name) for n in (2, 3, 4, 5, 8) for name in tracers]
+        assert all(row["ratios"]["primary"] > 0 and row["ratios"]["all"] > 0 for row in rows)
+        uniform = [row["picture_difference"] for row in rows if row["tracer"] == "packet"]
+        assert uniform == sorted(uniform, reverse=True)
+        assert uniform[0] > 0 and uniform[-1] == 0
     if suite == "table7":
         sizes = [row["bytes"]["structures"] for row in rows if row["tracer"] == "tessellated"]
         assert sizes == sorted(sizes)

@@ -69,7 +69,7 @@ def figure(suite: str, row: dict[str, Any], key: str) -> str:
     if suite == "table4" and scene == "Forest" and tracer == "packet" and level in TABLE4:
         return f"{TABLE4[level]:.2f}"
     # Our levels count one less: theirs include the first step.
-    if suite == "table6" and scene == "Disney" and tracer == "packet" and level in TABLE6:
+    if (suite, scene, tracer) == ("table6", "Disney", "adaptive-distance") and level in TABLE6:
         return TABLE6[level][key == "shadow"]
     if suite == "table7" and scene == "Killerroo" and tracer == "tessellated" and level in TABLE7:
         tessellated, direct = TABLE7[level]

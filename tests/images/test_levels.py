@@ -1,0 +1,191 @@
+"""Adaptive levels: pictures of them against pictures of finer levels."""
+
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from picture_kit import layers
+from test_images import ROOT, SCENES, _compared, _name, _render
+
+IDS = ("primId", "instanceId", "elementId")
+#: The farthest that anything may be off in a picture, in pixels: 0.25 is asked for.
+MOST_PIXELS = 0.3
+FRAMES = 48
+
+
+@pytest.fixture(autouse=True)
+def _compares_levels(update_baselines: bool) -> None:
+    if update_baselines:
+        pytest.skip("makes no baseline")
+
+
+def _is_beside_edge(ids: np.ndarray) -> np.ndarray:
+    """Pixels next to another prim or face, or to nothing."""
+    height, width = ids.shape
+    beside = np.zeros(ids.shape, bool)
+    padded = np.pad(ids, 1, mode="edge")
+    for row in range(3):
+        for column in range(3):
+            beside |= padded[row : row + height, column : column + width] != ids
+    return beside
+
+
+def _adaptive(scene: Path, picture: Path, *more: str) -> dict[str, np.ndarray]:
+    options = ("hdcc:adaptive=true", "hdcc:samples=1", "hdcc:level=6", *more)
+    _render(scene, picture, *[word for option in options for word in ("--set", option)])
+    return _compared(scene, picture)
+
+
+@pytest.mark.parametrize("metric", ["hdcc:pixelError=0.25", "hdcc:alpha=200"])
+@pytest.mark.parametrize("scene", SCENES, ids=_name)
+def test_adaptive_levels_show_the_surface(scene: Path, metric: str, tmp_path: Path) -> None:
+    """They show what the finest level shows, but at silhouettes and edges of faces."""
+    adaptive = _adaptive(scene, tmp_path / "adaptive.exr", metric)
+    finest = _adaptive(scene, tmp_path / "finest.exr", "hdcc:adaptive=false")
+    names = sorted({*IDS} & set(finest))
+    beside = np.any([_is_beside_edge(finest[name][..., 0]) for name in names], axis=0)
+    for name in names:
+        is_other = adaptive[name][..., 0] != finest[name][..., 0]
+        assert not (is_other & ~beside).any(), name
+        # A quarter of a pixel at most, and mostly far less.
+        assert is_other.sum() <= 2 + 0.02 * beside.sum(), name
+
+
+@pytest.mark.parametrize("metric", ["hdcc:pixelError=0.25", "hdcc:alpha=200"])
+@pytest.mark.parametrize("name", ["hero", "features/catalogue", "features/loop"])
+def test_adaptive_levels_are_those_of_single_rays(name: str, metric: str, tmp_path: Path) -> None:
+    scene = ROOT / "usd_scenes" / f"{name}.usda"
+    packet = _adaptive(scene, tmp_path / "packet.exr", metric)
+    single = _adaptive(scene, tmp_path / "single.exr", metric, "hdcc:tracer=single")
+    for layer, plane in packet.items():
+        assert np.array_equal(plane, single[layer]), layer
+
+
+def test_levels_by_distance_are_three(tmp_path: Path) -> None:
+    """Coarse, medium and fine, the finer the nearer, with fans where they meet."""
+    scene = ROOT / "usd_scenes" / "hero.usda"
+    picture = tmp_path / "levels.exr"
+    aovs = ("--aov", "hdcc:level", "--aov", "hdcc:fan")
+    options = ("hdcc:adaptive=true", "hdcc:samples=1", "hdcc:level=6", "hdcc:alpha=40")
+    _render(scene, picture, *aovs, *[word for option in options for word in ("--set", option)])
+    found = layers(picture)
+    level, depth = found["hdcc:level"][..., 0], found["cameraDepth"][..., 0]
+    assert set(np.unique(level)) == {-1, 4, 5, 6}
+    depths = [np.median(depth[level == n]) for n in (6, 5, 4)]
+    assert depths == sorted(depths)
+    fans = found["hdcc:fan"][..., 0] == 1
+    assert fans.any()
+    assert not (fans & (level == 6)).any(), "fans are on the coarser side"
+
+
+def _is_near(ids: np.ndarray, others: np.ndarray, pixels: float) -> np.ndarray:
+    """Pixels whose id the other picture shows within a distance."""
+    height, width = ids.shape
+    reach = int(np.ceil(pixels))
+    padded = np.pad(others, reach, mode="edge")
+    near = np.zeros(ids.shape, bool)
+    for row in range(-reach, reach + 1):
+        for column in range(-reach, reach + 1):
+            if np.hypot(row, column) <= pixels:
+                part = padded[reach + row :, reach + column :][:height, :width]
+                near |= part == ids
+    return near
+
+
+def test_silhouettes_are_within_the_error(tmp_path: Path) -> None:
+    """Eight times as large, a picture shows where silhouettes are to an eighth of a pixel."""
+    larger = 8
+    options = ("hdcc:adaptive=true", "hdcc:samples=1", "hdcc:level=8")
+    words = [word for option in options for word in ("--set", option)]
+    words += ["--imageWidth", str(160 * larger)]
+    pictures = []
+    for metric in (f"hdcc:pixelError={0.25 * larger}", "hdcc:adaptive=false"):
+        picture = tmp_path / f"{len(pictures)}.exr"
+        _render(ROOT / "usd_scenes" / "hero.usda", picture, *words, "--set", metric)
+        pictures.append(layers(picture))
+    for name in IDS:
+        adaptive, finest = (picture[name][..., 0] for picture in pictures)
+        assert (adaptive != finest).any(), "this asks for nothing"
+        # The centres of two pixels stand for places up to half of a diagonal away from each.
+        pixels = MOST_PIXELS * larger + np.sqrt(2)
+        assert _is_near(adaptive, finest, pixels).all(), name
+        assert _is_near(finest, adaptive, pixels).all(), name
+
+
+DOLLY = """#usda 1.0
+(
+    subLayers = [@./city.usdc@]
+    startTimeCode = 1
+    endTimeCode = {frames}
+)
+over "World"
+{{
+    over "Camera"
+    {{
+        double3 xformOp:translate:dolly.timeSamples = {{ 1: (0, 0, 0), {frames}: (0, 0, -6) }}
+        uniform token[] xformOpOrder = ["xformOp:transform", "xformOp:translate:dolly"]
+    }}
+}}
+"""
+
+
+@pytest.fixture(scope="module")
+def dolly(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A slow way down a street of a small city."""
+    folder = tmp_path_factory.mktemp("dolly")
+    generator = ROOT / "usd_scenes" / "generators" / "city.py"
+    command = [sys.executable, str(generator), str(folder / "city.usdc"), "--faces", "20000"]
+    subprocess.run(command, check=True, capture_output=True, timeout=120)
+    scene = folder / "dolly.usda"
+    scene.write_text(DOLLY.format(frames=FRAMES))
+    return scene
+
+
+def _frames(scene: Path, folder: Path, *options: str) -> list[dict[str, np.ndarray]]:
+    words = [word for option in ("hdcc:samples=1", *options) for word in ("--set", option)]
+    words += ["--frames", f"1:{FRAMES}", "--aov", "hdcc:level", "--aov", "Neye"]
+    _render(scene, folder / "f.####.exr", *words)
+    return [layers(folder / f"f.{frame:04}.exr") for frame in range(1, FRAMES + 1)]
+
+
+def _off_surface(picture: dict[str, np.ndarray], finest: dict[str, np.ndarray]) -> np.ndarray:
+    """How far hits are from the surface, across it, in pixels."""
+    depth = finest["cameraDepth"][..., 0]
+    height, width = depth.shape
+    # The camera of the city: 27 mm before a square of 36 mm.
+    across, up = ((np.arange(n) + 0.5) / n - 0.5 for n in (width, height))
+    directions = np.stack(
+        [*np.meshgrid(36 / 27 * across, -36 / 27 * up), np.full(depth.shape, -1.0)], axis=-1
+    )
+    slope = np.abs(np.sum(finest["Neye"] * directions, axis=-1))
+    return (picture["cameraDepth"][..., 0] - depth) * slope * (width * 27 / 36) / depth
+
+
+def test_nothing_pops_in_a_dolly(dolly: Path, tmp_path: Path) -> None:
+    """From frame to frame levels change, and the picture as it does at the finest level."""
+    for name in ("adaptive", "finest"):
+        (tmp_path / name).mkdir()
+    adaptive = _frames(dolly, tmp_path / "adaptive", "hdcc:adaptive=true", "hdcc:level=8")
+    finest = _frames(dolly, tmp_path / "finest", "hdcc:adaptive=false", "hdcc:level=8")
+    popped = edges = changed = 0
+    for (a, b), (fine_a, fine_b) in zip(
+        zip(adaptive, adaptive[1:]), zip(finest, finest[1:]), strict=True
+    ):
+        ids, fine = (
+            (first["elementId"][..., 0], second["elementId"][..., 0])
+            for first, second in ((a, b), (fine_a, fine_b))
+        )
+        beside = _is_beside_edge(fine[0]) | _is_beside_edge(fine[1])
+        has_popped = (ids[0] != ids[1]) != (fine[0] != fine[1])
+        assert not (has_popped & ~beside).any()
+        popped += has_popped.sum()
+        edges += beside.sum()
+        inside = ~beside & (fine[0] >= 0)
+        changed += (a["hdcc:level"] != b["hdcc:level"])[..., 0][inside].sum()
+        with np.errstate(invalid="ignore"):
+            moved = _off_surface(a, fine_a) - _off_surface(b, fine_b)
+        assert np.abs(moved[inside]).max() <= MOST_PIXELS
+    assert changed > 0, "no level has changed"
+    assert popped <= 0.01 * edges
