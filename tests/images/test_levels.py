@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from picture_kit import layers
-from test_images import ROOT, SCENES, _compared, _name, _render
+from render_kit import ROOT, SCENES, compared, name_of, render, settings
 
 IDS = ("primId", "instanceId", "elementId")
 #: The farthest that anything may be off in a picture, in pixels: 0.25 is asked for.
@@ -34,12 +34,12 @@ def _is_beside_edge(ids: np.ndarray) -> np.ndarray:
 
 def _adaptive(scene: Path, picture: Path, *more: str) -> dict[str, np.ndarray]:
     options = ("hdcc:adaptive=true", "hdcc:samples=1", "hdcc:level=6", *more)
-    _render(scene, picture, *[word for option in options for word in ("--set", option)])
-    return _compared(scene, picture)
+    render(scene, picture, *settings(*options))
+    return compared(scene, picture)
 
 
 @pytest.mark.parametrize("metric", ["hdcc:pixelError=0.25", "hdcc:alpha=200"])
-@pytest.mark.parametrize("scene", SCENES, ids=_name)
+@pytest.mark.parametrize("scene", SCENES, ids=name_of)
 def test_adaptive_levels_show_the_surface(scene: Path, metric: str, tmp_path: Path) -> None:
     """They show what the finest level shows, but at silhouettes and edges of faces."""
     adaptive = _adaptive(scene, tmp_path / "adaptive.exr", metric)
@@ -69,7 +69,7 @@ def test_levels_by_distance_are_three(tmp_path: Path) -> None:
     picture = tmp_path / "levels.exr"
     aovs = ("--aov", "hdcc:level", "--aov", "hdcc:fan")
     options = ("hdcc:adaptive=true", "hdcc:samples=1", "hdcc:level=6", "hdcc:alpha=10")
-    _render(scene, picture, *aovs, *[word for option in options for word in ("--set", option)])
+    render(scene, picture, *aovs, *settings(*options))
     found = layers(picture)
     level, depth = found["hdcc:level"][..., 0], found["cameraDepth"][..., 0]
     assert set(np.unique(level)) == {4, 5, 6}
@@ -96,13 +96,12 @@ def _spread(mask: np.ndarray, pixels: float) -> np.ndarray:
 def test_silhouettes_are_within_the_error(tmp_path: Path) -> None:
     """Eight times as large, a picture shows where silhouettes are to an eighth of a pixel."""
     larger = 8
-    options = ("hdcc:adaptive=true", "hdcc:samples=1", "hdcc:level=8")
-    words = [word for option in options for word in ("--set", option)]
+    words = settings("hdcc:adaptive=true", "hdcc:samples=1", "hdcc:level=8")
     words += ["--imageWidth", str(160 * larger)]
     pictures = []
     for metric in (f"hdcc:pixelError={0.25 * larger}", "hdcc:adaptive=false"):
         picture = tmp_path / f"{len(pictures)}.exr"
-        _render(ROOT / "usd_scenes" / "hero.usda", picture, *words, "--set", metric)
+        render(ROOT / "usd_scenes" / "hero.usda", picture, *words, "--set", metric)
         pictures.append(layers(picture)["primId"][..., 0])
     is_off = pictures[0] != pictures[1]
     assert is_off.sum() > 100, "this asks for nothing"
@@ -142,9 +141,9 @@ def dolly(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def _frames(scene: Path, folder: Path, *options: str) -> list[dict[str, np.ndarray]]:
-    words = [word for option in ("hdcc:samples=1", *options) for word in ("--set", option)]
+    words = settings("hdcc:samples=1", *options)
     words += ["--frames", f"1:{FRAMES}", "--aov", "hdcc:level", "--aov", "Neye"]
-    _render(scene, folder / "f.####.exr", *words)
+    render(scene, folder / "f.####.exr", *words)
     return [layers(folder / f"f.{frame:04}.exr") for frame in range(1, FRAMES + 1)]
 
 
