@@ -162,11 +162,8 @@ class PatchIntersector {
             return;
         }
         _tolerance *= 2;  // every step rounds
-        if (_isStitched) {
-            _IntersectTiles(whole, splits, hitting);
-            return;
-        }
-        if (_IntersectHeldQuarters(whole, hitting)) {
+        const bool isTile = _isStitched && splits <= kMaxGridSplits;
+        if (isTile ? _IntersectHeld(whole, hitting) : _IntersectHeldQuarters(whole, hitting)) {
             return;
         }
         if (p.kind == PatchKind::Extraordinary) {
@@ -198,57 +195,40 @@ class PatchIntersector {
         return _patchLevels.Finest();
     }
 
-    /// Intersects rays with a part of a patch that no plan holds and that must be stitched: its
-    /// borders may end beyond the parts that subdivision would leave.
-    void _IntersectTiles(const Square& square, int splits, uint64_t hitting) {
-        if (splits > kMaxGridSplits) {
-            for (int i = 0; i < 4; ++i) {
-                _IntersectTiles(square.Quarter(i), splits - 1, hitting);
-            }
-            return;
-        }
+    /// Intersects rays with a part of an irregular patch that must be stitched. Its grid is as
+    /// large as a grid may be, so that it has both ends of what its borders are joined to.
+    /// @param part    an ExtraordinaryPatch or IrregularPatch
+    /// @param corner  of the square that the part's (0,0) is at
+    template <class Part>
+    void _IntersectTile(const Part& part, int corner, const Square& square, int splits,
+                        uint64_t hitting) {
         EvaluatedGrid& grid = _GridAt(square);
         if (!_Holds(grid, square)) {
-            _EvaluateTile(square, splits, &grid.points);
+            constexpr int kStride = kMaxGridSide + 1;
+            Vec3f points[kStride * kStride];
+            LimitGrid unturned;
+            const int side = unturned.side = 1 << splits;
+            EvaluateLimitGrid(part, {points, kStride, side});
+            for (int row = 0; row <= side; ++row) {
+                for (int column = 0; column <= side; ++column) {
+                    for (int axis = 0; axis < 3; ++axis) {
+                        unturned.points[axis][row][column] = points[kStride * row + column][axis];
+                    }
+                }
+            }
+            TurnGrid(unturned, corner, &grid.points);
             _BeginWhole(square, &grid);
         }
         _IntersectGrid(&grid, hitting);
     }
 
-    void _EvaluateTile(const Square& square, int splits, LimitGrid* grid) const {
-        constexpr int kStride = kMaxGridSide + 1;
-        Vec3f points[kStride * kStride];
-        const int side = grid->side = 1 << splits;
-        if (square.size == 1) {
-            _EvaluateWhole({points, kStride, side});
-        } else {
-            const float step = square.size / static_cast<float>(side);
-            for (int i = 0; i < (side + 1) * (side + 1); ++i) {
-                const int row = i / (side + 1), column = i % (side + 1);
-                points[kStride * row + column] =
-                    EvaluateLimitValue(_surface.Patches(), _patch, _surface.PatchPoints().data(),
-                                       square.u + step * static_cast<float>(column),
-                                       square.v + step * static_cast<float>(row));
-            }
+    /// Intersects rays with the grid of a square, if the batch has it.
+    bool _IntersectHeld(const Square& square, uint64_t hitting) {
+        if (!_Holds(_GridAt(square), square)) {
+            return false;
         }
-        for (int row = 0; row <= side; ++row) {
-            for (int column = 0; column <= side; ++column) {
-                for (int axis = 0; axis < 3; ++axis) {
-                    grid->points[axis][row][column] = points[kStride * row + column][axis];
-                }
-            }
-        }
-        grid->Fill();
-    }
-
-    void _EvaluateWhole(const LimitSquare& square) const {
-        const PatchTable& patches = _surface.Patches();
-        const Vec3f* points = _surface.PatchPoints().data();
-        if (patches.At(_patch).kind == PatchKind::Extraordinary) {
-            EvaluateLimitGrid(GatherExtraordinary(patches, _patch, points), square);
-        } else {
-            EvaluateLimitGrid(GatherIrregular(patches, _patch, points), square);
-        }
+        _IntersectGrid(&_GridAt(square), hitting);
+        return true;
     }
 
     void _GatherBezier(const Patch& patch, BezierRows* bezier) const {
@@ -302,6 +282,10 @@ class PatchIntersector {
                                  uint64_t hitting) {
         const LimitGridPlan* plan = _surface.Plans().OfValence(patch.Valence());
         for (; splits > 0; --splits) {
+            if (_isStitched && splits <= kMaxGridSplits) {
+                _IntersectTile(patch, corner, square, splits, hitting);
+                return;
+            }
             if (plan && splits <= kPlanSplits) {
                 EvaluatedGrid& shared = _GridAt(square);
                 LimitGrid grid;
@@ -356,6 +340,10 @@ class PatchIntersector {
             Vec3f corners[4];
             patch.LimitCorners(corners);
             _IntersectLimitQuad(corners, square, hitting);
+            return;
+        }
+        if (_isStitched && splits <= kMaxGridSplits) {
+            _IntersectTile(patch, 0, square, splits, hitting);
             return;
         }
         hitting = _RaysIn(_Widened(patch.HullBox()), hitting);

@@ -48,7 +48,7 @@ TEST(Watertight, NothingEscapesWherePatchesAreSplit) {
 TEST(Watertight, NothingEscapesBetweenLevels) {
     WatertightOptions options;
     options.rays = Repeats(500'000);
-    options.levels = {2, 4, 5};
+    options.levels = {2, 4, 5, 7};
     options.isAdaptive = true;
     ExpectNoEscapes(options);
 }
