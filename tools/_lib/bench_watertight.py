@@ -9,7 +9,7 @@ TRACERS = ("packet", "single")
 LEVELS = (0, 1, 2, 3, 4, 5, 6)
 #: Rows whose levels are those of cameras anywhere, up to the row's.
 ADAPTIVE_TRACERS = {"adaptive": "packet", "adaptive single": "single"}
-ADAPTIVE_LEVELS = (2, 4, 5)
+ADAPTIVE_LEVELS = (2, 4, 5, 7)
 #: At these levels patches are split by steps, which takes far longer: they get fewer of the rays.
 SPLIT_LEVELS, SPLIT_SHARE = (5, 6, 7, 8), 0.1
 
