@@ -8,10 +8,12 @@
 #include "pxr/base/tf/staticTokens.h"
 #include "pxr/imaging/hd/changeTracker.h"
 #include "pxr/imaging/hd/extComputationUtils.h"
-#include "pxr/imaging/hd/instancer.h"
+#include "pxr/imaging/hd/renderIndex.h"
 #include "pxr/imaging/hd/sceneDelegate.h"
 
 #include "hdCC/convert.h"
+#include "hdCC/instancer.h"
+#include "hdCC/primvars.h"
 #include "hdCC/renderParam.h"
 
 PXR_NAMESPACE_OPEN_SCOPE
@@ -31,7 +33,7 @@ HdDirtyBits HdCCMesh::GetInitialDirtyBitsMask() const {
            HdChangeTracker::DirtyComputationPrimvarDesc | HdChangeTracker::DirtyTransform |
            HdChangeTracker::DirtyVisibility | HdChangeTracker::DirtyDoubleSided |
            HdChangeTracker::DirtyCullStyle | HdChangeTracker::DirtyInstancer |
-           HdChangeTracker::DirtyRenderTag;
+           HdChangeTracker::DirtyInstanceIndex | HdChangeTracker::DirtyRenderTag;
 }
 
 HdDirtyBits HdCCMesh::_PropagateDirtyBits(HdDirtyBits bits) const {
@@ -57,6 +59,12 @@ void HdCCMesh::Sync(HdSceneDelegate *delegate, HdRenderParam *param, HdDirtyBits
     const HdDirtyBits bits = *dirtyBits;
     _delegate = delegate;
 
+    // First, as primvars may be those of instances.
+    _UpdateInstancer(delegate, dirtyBits);
+    HdInstancer::_SyncInstancerAndParents(delegate->GetRenderIndex(), GetInstancerId());
+    if (bits & (HdChangeTracker::DirtyInstancer | HdChangeTracker::DirtyInstanceIndex)) {
+        _SyncInstances(delegate);
+    }
     if (bits & HdChangeTracker::DirtyPrimID) {
         _mesh->SetPrimId(GetPrimId());
     }
@@ -67,7 +75,8 @@ void HdCCMesh::Sync(HdSceneDelegate *delegate, HdRenderParam *param, HdDirtyBits
         _SyncPoints(delegate);
     }
     if (bits & (HdChangeTracker::DirtyPrimvar | HdChangeTracker::DirtyNormals |
-                HdChangeTracker::DirtyTopology)) {
+                HdChangeTracker::DirtyTopology | HdChangeTracker::DirtyInstancer |
+                HdChangeTracker::DirtyInstanceIndex)) {
         _SyncPrimvars(delegate, shared->GetPrimvarsAskedFor());
     }
     if (bits & HdChangeTracker::DirtyTransform) {
@@ -76,7 +85,7 @@ void HdCCMesh::Sync(HdSceneDelegate *delegate, HdRenderParam *param, HdDirtyBits
     if (bits & (HdChangeTracker::DirtyDoubleSided | HdChangeTracker::DirtyCullStyle)) {
         _SyncSides(delegate);
     }
-    _SyncShown(delegate, shared, dirtyBits);
+    _SyncShown(delegate, dirtyBits);
 
     *dirtyBits &= ~HdDirtyBits(HdChangeTracker::AllSceneDirtyBits);
 }
@@ -126,52 +135,22 @@ void HdCCMesh::_SyncPoints(HdSceneDelegate *delegate) {
     _mesh->SetPoints(std::move(points));
 }
 
-static cc::Interpolation _ToInterpolation(HdInterpolation interpolation) {
-    switch (interpolation) {
-        case HdInterpolationUniform: return cc::Interpolation::Uniform;
-        case HdInterpolationVarying: return cc::Interpolation::Varying;
-        case HdInterpolationVertex: return cc::Interpolation::Vertex;
-        case HdInterpolationFaceVarying: return cc::Interpolation::FaceVarying;
-        default: return cc::Interpolation::Constant;
-    }
-}
-
-static bool _FindPrimvar(HdSceneDelegate *delegate, SdfPath const &id, TfToken const &name,
-                         HdPrimvarDescriptor *found) {
-    for (HdInterpolation interpolation :
-         {HdInterpolationConstant, HdInterpolationUniform, HdInterpolationVarying,
-          HdInterpolationVertex, HdInterpolationFaceVarying}) {
-        for (HdPrimvarDescriptor const &primvar :
-             delegate->GetPrimvarDescriptors(id, interpolation)) {
-            if (primvar.name == name) {
-                *found = primvar;
-                return true;
-            }
-        }
-    }
-    return false;
-}
-
 void HdCCMesh::_SyncPrimvar(HdSceneDelegate *delegate, TfToken const &name) {
     cc::Primvar primvar;
-    HdPrimvarDescriptor descriptor;
-    if (_FindPrimvar(delegate, GetId(), name, &descriptor)) {
-        VtIntArray indices;
-        const VtValue value = descriptor.indexed
-                                  ? delegate->GetIndexedPrimvar(GetId(), name, &indices)
-                                  : delegate->Get(GetId(), name);
-        primvar.interpolation = _ToInterpolation(descriptor.interpolation);
-        primvar.indices.assign(indices.cbegin(), indices.cend());
-        if (!HdCCToNumbers(value, &primvar.arity, &primvar.values)) {
-            TF_WARN(
-                "<%s>: primvars:%s has the type %s, which is no float, int or vector of them; "
-                "it is ignored",
-                GetId().GetText(), name.GetText(), value.GetTypeName().c_str());
-            primvar = cc::Primvar();
-        } else if (primvar.IsEmpty() && _hasFaces) {
-            TF_WARN("<%s>: primvars:%s has no values; it is ignored", GetId().GetText(),
-                    name.GetText());
-        }
+    std::string error;
+    const bool isOwn =
+        HdCCGetPrimvar(delegate, GetId(), name,
+                       {HdInterpolationConstant, HdInterpolationUniform, HdInterpolationVarying,
+                        HdInterpolationVertex, HdInterpolationFaceVarying},
+                       &primvar, &error);
+    HdCCInstancer const *const instancer = _Instancer(delegate);
+    const bool isFound =
+        isOwn || (instancer && instancer->FindPrimvar(GetId(), name, &primvar, &error));
+    if (!error.empty()) {
+        TF_WARN("<%s>: %s", GetId().GetText(), error.c_str());
+    } else if (isFound && primvar.IsEmpty() && _hasFaces && _hasInstances) {
+        TF_WARN("<%s>: primvars:%s has no values; it is ignored", GetId().GetText(),
+                name.GetText());
     }
     _mesh->SetPrimvar(name.GetString(), std::move(primvar));
 }
@@ -205,17 +184,27 @@ void HdCCMesh::_SyncSides(HdSceneDelegate *delegate) {
     }
 }
 
-void HdCCMesh::_SyncShown(HdSceneDelegate *delegate, HdCCRenderParam *param,
-                          HdDirtyBits *dirtyBits) {
+void HdCCMesh::_SyncShown(HdSceneDelegate *delegate, HdDirtyBits *dirtyBits) {
     _UpdateVisibility(delegate, dirtyBits);
-    _UpdateInstancer(delegate, dirtyBits);
-    HdInstancer::_SyncInstancerAndParents(delegate->GetRenderIndex(), GetInstancerId());
-    const bool instanced = !GetInstancerId().IsEmpty();
-    if (instanced) {
-        param->WarnOnce(GetId(), "instancing is not supported yet; the prototype is left out");
-    }
     _mesh->SetRenderTag(GetRenderTag().GetString());
-    _mesh->SetVisible(IsVisible() && !instanced && _hasTopology && _hasPoints);
+    _mesh->SetVisible(IsVisible() && _hasTopology && _hasPoints);
+}
+
+HdCCInstancer const *HdCCMesh::_Instancer(HdSceneDelegate *delegate) const {
+    return static_cast<HdCCInstancer const *>(
+        delegate->GetRenderIndex().GetInstancer(GetInstancerId()));
+}
+
+void HdCCMesh::_SyncInstances(HdSceneDelegate *delegate) {
+    HdCCInstancer const *const instancer = _Instancer(delegate);
+    if (!instancer) {
+        _mesh->ClearInstances();
+        _hasInstances = true;
+        return;
+    }
+    std::vector<cc::AffineTransform> instances = instancer->ComputeInstances(GetId());
+    _hasInstances = !instances.empty();
+    _mesh->SetInstances(std::move(instances));
 }
 
 void HdCCMesh::UpdateRenderTag(HdSceneDelegate *delegate, HdRenderParam *param) {

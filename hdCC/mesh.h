@@ -8,6 +8,7 @@
 
 PXR_NAMESPACE_OPEN_SCOPE
 
+class HdCCInstancer;
 class HdCCRenderParam;
 
 /// A UsdGeomMesh: hands the scene's mesh what changed, and nothing else.
@@ -37,12 +38,17 @@ class HdCCMesh final : public HdMesh {
     void _SyncPrimvars(HdSceneDelegate *delegate, TfTokenVector names);
     void _SyncPrimvar(HdSceneDelegate *delegate, TfToken const &name);
     void _SyncSides(HdSceneDelegate *delegate);
-    void _SyncShown(HdSceneDelegate *delegate, HdCCRenderParam *param, HdDirtyBits *dirtyBits);
+    void _SyncInstances(HdSceneDelegate *delegate);
+    void _SyncShown(HdSceneDelegate *delegate, HdDirtyBits *dirtyBits);
+    /// Null if the mesh is no prototype.
+    HdCCInstancer const *_Instancer(HdSceneDelegate *delegate) const;
 
     cc::Mesh *_mesh;
     /// What the mesh was last synced with: primvars may be asked for later.
     HdSceneDelegate *_delegate = nullptr;
     bool _hasTopology = false, _hasPoints = false, _hasFaces = false;
+    /// True if the mesh is no prototype.
+    bool _hasInstances = true;
     /// Polygons have normals of their own; subdivision takes those of the surface.
     bool _isPolygonal = false;
 };

@@ -52,7 +52,7 @@ static VtDictionary _Levels(HdCCFrame const &frame) {
     VtDictionary levels;
     levels["min"] = VtValue(least);
     levels["max"] = VtValue(most);
-    levels["histogram"] = VtValue(VtIntArray(counts.begin(), counts.begin() + most + 1));
+    levels["histogram"] = VtValue(VtInt64Array(counts.begin(), counts.begin() + most + 1));
     return levels;
 }
 
@@ -77,6 +77,7 @@ VtDictionary HdCCRenderStats(HdCCFrame const &frame) {
     VtDictionary stats;
     stats["faces"] = VtValue(int64_t(frame.scene.faces));
     stats["patches"] = VtValue(int64_t(frame.scene.patches));
+    stats["instances"] = VtValue(int64_t(frame.scene.instances));
     stats["seconds"] = VtValue(seconds);
     stats["rays"] = VtValue(rays);
     stats["mrays_per_second"] = VtValue(_RayRates(frame.statistics));

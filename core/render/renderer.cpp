@@ -51,30 +51,51 @@ size_t RenderTiles(const TileRenderer& renderer, const std::vector<Tile>& tiles,
     return done;
 }
 
-/// Patches of all instances by level.
-std::array<uint64_t, kFinestLevel + 1> CountLevels(const Scene& scene, const LevelMetric& metric) {
+using LevelCounts = std::array<uint64_t, kFinestLevel + 1>;
+
+/// So many patches have their levels counted; of more than that, these stand for the others.
+constexpr uint64_t kMostCountedPatches = uint64_t(1) << 21;
+
+/// Counts those of an instance's patches by level that are so far apart.
+void CountLevelsOf(const Instance& instance, const LevelMetric& metric, size_t first, size_t stride,
+                   std::array<std::atomic<uint64_t>, kFinestLevel + 1>* counts) {
     constexpr size_t kGrainSize = 4096;
-    std::array<std::atomic<uint64_t>, kFinestLevel + 1> counts{};
-    for (const Instance& instance : scene.Instances().Instances()) {
-        const InstanceLevels levels(metric, instance);
-        const size_t count = instance.surface->Patches().Count();
-        if (levels.IsUniform()) {
-            counts[levels.Uniform()] += count;
-            continue;
-        }
-        const tbb::blocked_range<size_t> all(0, count, kGrainSize);
-        tbb::parallel_for(all, [&](const tbb::blocked_range<size_t>& part) {
-            uint64_t own[kFinestLevel + 1] = {};
-            for (size_t patch = part.begin(); patch < part.end(); ++patch) {
-                ++own[levels.Of(static_cast<uint32_t>(patch)).interior];
-            }
-            for (int level = 0; level <= kFinestLevel; ++level) {
-                counts[level] += own[level];
-            }
-        });
+    const size_t count = (instance.surface->Patches().Count() - first + stride - 1) / stride;
+    const InstanceLevels levels(metric, instance);
+    if (levels.IsUniform()) {
+        (*counts)[levels.Uniform()] += count;
+        return;
     }
-    std::array<uint64_t, kFinestLevel + 1> result{};
-    std::copy(counts.begin(), counts.end(), result.begin());
+    const tbb::blocked_range<size_t> all(0, count, kGrainSize);
+    tbb::parallel_for(all, [&](const tbb::blocked_range<size_t>& part) {
+        LevelCounts own{};
+        for (size_t i = part.begin(); i < part.end(); ++i) {
+            ++own[levels.Of(static_cast<uint32_t>(first + i * stride)).interior];
+        }
+        for (int level = 0; level <= kFinestLevel; ++level) {
+            (*counts)[level] += own[level];
+        }
+    });
+}
+
+/// Patches of all instances by level.
+LevelCounts CountLevels(const Scene& scene, const LevelMetric& metric) {
+    const std::vector<Instance>& instances = scene.Instances().Instances();
+    std::vector<uint64_t> firsts{0};
+    for (const Instance& instance : instances) {
+        firsts.push_back(firsts.back() + instance.surface->Patches().Count());
+    }
+    const uint64_t stride = firsts.back() / kMostCountedPatches + 1;
+    std::array<std::atomic<uint64_t>, kFinestLevel + 1> counts{};
+    tbb::parallel_for(size_t(0), instances.size(), [&](size_t i) {
+        const uint64_t first = (stride - firsts[i] % stride) % stride;
+        if (first < firsts[i + 1] - firsts[i]) {
+            CountLevelsOf(instances[i], metric, first, stride, &counts);
+        }
+    });
+    LevelCounts result{};
+    std::transform(counts.begin(), counts.end(), result.begin(),
+                   [&](const std::atomic<uint64_t>& count) { return count * stride; });
     return result;
 }
 

@@ -57,8 +57,8 @@ TileRenderer::TileRenderer(const Scene& scene, const CameraRays& camera, const T
       _levels(levels),
       _options(options),
       _film(film) {
-    for (size_t i = 0; i < scene.Instances().Instances().size(); ++i) {
-        _hasCulling = _hasCulling || scene.InstanceMesh(static_cast<uint32_t>(i)).CullBackFaces();
+    for (const Mesh* mesh : scene.ShownMeshes()) {
+        _hasCulling = _hasCulling || mesh->CullBackFaces();
     }
 }
 
@@ -153,11 +153,15 @@ void TileRenderer::_PassThroughCulled(Sample* sample, RenderWorker* worker) cons
     }
 }
 
+MeshPoint TileRenderer::_PointOf(const HitPacket& hits, int lane) const {
+    return {_scene.InstanceIndex(hits.instance[lane]), hits.patch[lane], hits.u[lane],
+            hits.v[lane]};
+}
+
 ShadingPoint TileRenderer::_Shade(const Sample& sample, int lane) const {
     const HitPacket& hits = sample.hits;
     const uint32_t instance = hits.instance[lane];
-    const Vec3f authored =
-        _scene.InstanceMesh(instance).AuthoredNormal(hits.patch[lane], hits.u[lane], hits.v[lane]);
+    const Vec3f authored = _scene.InstanceMesh(instance).AuthoredNormal(_PointOf(hits, lane));
     return MakeShadingPoint(_scene.Instances().Instances()[instance], authored, sample.rays, hits,
                             lane, _levels);
 }
@@ -170,8 +174,8 @@ void TileRenderer::_AddColor(const Sample& sample, float* rgba, RenderWorker* wo
     for (int lane = 0; lane < sample.rays.count; ++lane) {
         if (sample.IsHit(lane)) {
             points[count] = _Shade(sample, lane);
-            points[count].albedo = _scene.InstanceMesh(hits.instance[lane])
-                                       .DisplayColor(hits.patch[lane], hits.u[lane], hits.v[lane]);
+            points[count].albedo =
+                _scene.InstanceMesh(hits.instance[lane]).DisplayColor(_PointOf(hits, lane));
             lanes[count++] = lane;
         }
     }
@@ -210,7 +214,10 @@ void TileRenderer::_WriteSurface(const Tile& tile, const Sample& sample) const {
         if (depth) depth[pixel] = isHit ? _camera.ProjectedDepth(t) : 1;
         if (cameraDepth) cameraDepth[pixel] = isHit ? t : 0;
         if (primId) primId[pixel] = isHit ? mesh->PrimId() : -1;
-        if (instanceId) instanceId[pixel] = isHit ? 0 : -1;
+        if (instanceId) {
+            instanceId[pixel] =
+                isHit ? static_cast<int32_t>(_scene.InstanceIndex(sample.hits.instance[lane])) : -1;
+        }
         if (elementId) {
             const uint32_t patch = sample.hits.patch[lane];
             elementId[pixel] =
@@ -276,8 +283,7 @@ void TileRenderer::_WritePrimvar(const Tile& tile, const Sample& sample, const A
         const PrimvarField* primvar = mesh ? mesh->FindPrimvar(aov.primvar) : nullptr;
         coverage[pixel] = primvar != nullptr;
         if (primvar) {
-            const SurfaceValue value =
-                mesh->Evaluate(*primvar, hits.patch[lane], hits.u[lane], hits.v[lane]);
+            const SurfaceValue value = mesh->Evaluate(*primvar, _PointOf(hits, lane));
             std::copy_n(value.value, aov.arity, values + pixel * aov.arity);
         }
     }

@@ -5,21 +5,13 @@
 #include <numeric>
 #include <utility>
 
+#include "core/scene/largestCoordinate.h"
 #include "core/subdiv/faceVaryingMesh.h"
 
 namespace cc {
 namespace {
 
 constexpr char kDisplayColor[] = "displayColor", kNormals[] = "normals";
-
-/// Larger coordinates overflow when they are squared and summed up.
-constexpr float kLargestCoordinate = 1e18f;
-
-bool IsUsable(const Vec3f& p) {
-    // False for NaN too.
-    return std::fabs(p.x) <= kLargestCoordinate && std::fabs(p.y) <= kLargestCoordinate &&
-           std::fabs(p.z) <= kLargestCoordinate;
-}
 
 std::string CheckPoints(const std::vector<Vec3f>& points) {
     const auto bad = std::find_if_not(points.begin(), points.end(), IsUsable);
@@ -34,17 +26,6 @@ size_t CountUsedPoints(const ControlMesh& topology) {
     const auto& indices = topology.faceVertexIndices;
     const auto last = std::max_element(indices.begin(), indices.end());
     return last == indices.end() ? 0 : static_cast<size_t>(*last) + 1;
-}
-
-bool HasUsableEntries(const AffineTransform& transform) {
-    for (int row = 0; row < 3; ++row) {
-        for (int column = 0; column < 4; ++column) {
-            if (!(std::fabs(transform(row, column)) <= kLargestCoordinate)) {
-                return false;
-            }
-        }
-    }
-    return true;
 }
 
 template <typename T>
@@ -100,9 +81,16 @@ void Mesh::SetPrimvar(const std::string& name, Primvar primvar) {
 }
 
 void Mesh::SetTransform(const AffineTransform& objectToWorld) {
-    _transformChanged = _transformChanged || objectToWorld != _objectToWorld;
-    _objectToWorld = objectToWorld;
+    _placementChanged |= _placement.SetTransform(objectToWorld);
 }
+
+void Mesh::SetInstances(std::vector<AffineTransform> instanceToWorld) {
+    _placement.SetInstances(std::move(instanceToWorld));
+    _placementChanged = true;
+    _TakePrimvarsBack(/* ofInstancesOnly */ true);
+}
+
+void Mesh::ClearInstances() { _placementChanged |= _placement.ClearInstances(); }
 
 void Mesh::SetVisible(bool visible) { _visible = visible; }
 
@@ -110,19 +98,19 @@ void Mesh::SetCullBackFaces(bool cull) { _cullBackFaces = cull; }
 
 void Mesh::SetRenderTag(std::string tag) { _renderTag = std::move(tag); }
 
-Vec3f Mesh::AuthoredNormal(uint32_t patch, float u, float v) const {
+Vec3f Mesh::AuthoredNormal(const MeshPoint& at) const {
     if (!_normals) {
         return {};
     }
-    const SurfaceValue normal = Evaluate(*_normals, patch, u, v);
+    const SurfaceValue normal = Evaluate(*_normals, at);
     return {normal.value[0], normal.value[1], normal.value[2]};
 }
 
-Vec3f Mesh::DisplayColor(uint32_t patch, float u, float v) const {
+Vec3f Mesh::DisplayColor(const MeshPoint& at) const {
     if (!_displayColor) {
         return kDefaultDisplayColor;
     }
-    const SurfaceValue color = Evaluate(*_displayColor, patch, u, v);
+    const SurfaceValue color = Evaluate(*_displayColor, at);
     return {color.value[0], color.value[1], color.value[2]};
 }
 
@@ -140,10 +128,10 @@ Mesh::BuildReport Mesh::_Build() {
     if (_surface) {
         _BuildPrimvars(&report);
     }
-    if (_transformChanged || report.work != SurfaceWork::None) {
-        _BuildTransform(&report);
+    if (_placementChanged || report.work != SurfaceWork::None) {
+        _BuildPlacement(&report);
     }
-    _topologyChanged = _pointsChanged = _transformChanged = false;
+    _topologyChanged = _pointsChanged = _placementChanged = false;
     return report;
 }
 
@@ -156,7 +144,7 @@ void Mesh::_BuildSurface(BuildReport* report) {
             _points.assign(points.begin(), points.begin() + _surface->Patches().CagePointCount());
             _pointsAreInSurface = false;
         }
-        _TakePrimvarsBack();
+        _TakePrimvarsBack(/* ofInstancesOnly */ false);
         _surface.reset();
         _RebuildSurface(report);
     } else {
@@ -169,8 +157,14 @@ void Mesh::_BuildSurface(BuildReport* report) {
     }
 }
 
-void Mesh::_TakePrimvarsBack() {
+void Mesh::_TakePrimvarsBack(bool ofInstancesOnly) {
     for (auto& [name, slot] : _primvars) {
+        const bool isOfInstances = slot.field.IsEmpty()
+                                       ? slot.waiting.interpolation == Interpolation::Instance
+                                       : slot.field.IsOfInstances();
+        if (ofInstancesOnly && !isOfInstances) {
+            continue;
+        }
         if (!slot.isChanged && !slot.field.IsEmpty()) {
             slot.waiting = slot.field.TakePrimvar(_surface->Patches());
         }
@@ -246,8 +240,8 @@ void Mesh::_BuildPrimvars(BuildReport* report) {
 }
 
 void Mesh::_BuildPrimvar(const std::string& name, PrimvarSlot* slot, BuildReport* report) const {
-    const size_t pointCount = _surface->Patches().CagePointCount();
-    std::string error = CheckPrimvar(name, slot->waiting, _faces, pointCount);
+    std::string error = CheckPrimvar(
+        name, slot->waiting, {_faces, _surface->Patches().CagePointCount(), _placement.Count()});
     const bool isColor = name == kDisplayColor;
     const bool isNormals = name == kNormals && _tags.scheme == Scheme::None;
     if (error.empty() && (isColor || isNormals) && slot->waiting.arity != 3) {
@@ -296,28 +290,20 @@ FaceVaryingChannel Mesh::_MakeChannel(const std::string& name, const Primvar& pr
     return channel;
 }
 
-void Mesh::_BuildTransform(BuildReport* report) {
+void Mesh::_BuildPlacement(BuildReport* report) {
     report->topLevelChanged = true;
-    const bool isUsable = HasUsableEntries(_objectToWorld) &&
-                          _objectToWorld.Invert(&_worldToObject) &&
-                          HasUsableEntries(_worldToObject);
-    if (!isUsable && (_transformChanged || _isTransformUsable)) {
-        report->lines.push_back("has a singular or non-finite transform; the mesh is left out");
-    }
-    _isTransformUsable = isUsable;
-    if (!isUsable || !BuiltSurface()) {
-        return;
-    }
-    const Box3f bounds = _objectToWorld.Box(_surface->Bounds());
-    if (!bounds.IsEmpty() && !(IsUsable(bounds.lower) && IsUsable(bounds.upper))) {
-        report->lines.push_back("is too large once transformed; the mesh is left out");
-        _isTransformUsable = false;
+    const Placement::Obstacles before = _obstacles;
+    _obstacles = BuiltSurface() ? _placement.FindObstacles(*_surface) : Placement::Obstacles();
+    if (_placementChanged || !(_obstacles == before)) {
+        for (std::string& line : _placement.Describe(_obstacles)) {
+            report->lines.push_back(std::move(line));
+        }
     }
 }
 
 size_t Mesh::_Bytes() const {
     size_t bytes = (_surface ? _surface->Bytes() : 0) + _faces.Bytes() +
-                   _points.capacity() * sizeof(Vec3f) + BytesOfTags(_tags);
+                   _points.capacity() * sizeof(Vec3f) + BytesOfTags(_tags) + _placement.Bytes();
     for (const auto& [name, slot] : _primvars) {
         bytes += slot.field.Bytes();
     }

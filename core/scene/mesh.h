@@ -7,6 +7,7 @@
 
 #include "core/math/transform.h"
 #include "core/scene/faceVertices.h"
+#include "core/scene/placement.h"
 #include "core/scene/primvar.h"
 #include "core/scene/primvarField.h"
 #include "core/subdiv/controlMesh.h"
@@ -36,6 +37,11 @@ class Mesh {
     /// no work.
     void SetPrimvar(const std::string& name, Primvar primvar);
     void SetTransform(const AffineTransform& objectToWorld);
+    /// Shows instances of the mesh in place of the mesh itself; none is nothing. Each map is
+    /// applied after the mesh's own transform.
+    void SetInstances(std::vector<AffineTransform> instanceToWorld);
+    /// Shows the mesh itself again.
+    void ClearInstances();
     void SetVisible(bool visible);
     /// Single-sided meshes are invisible from behind only if cullBackFaces is set; both sides are
     /// shaded with the normal that faces the viewer.
@@ -52,14 +58,14 @@ class Mesh {
     /// Null if the mesh has no such primvar, or one that does not fit it.
     const PrimvarField* FindPrimvar(const std::string& name) const;
     /// Evaluates one of the mesh's primvars at a point of a patch.
-    SurfaceValue Evaluate(const PrimvarField& primvar, uint32_t patch, float u, float v) const {
-        return primvar.Evaluate(_surface->Patches(), _faces, patch, u, v);
+    SurfaceValue Evaluate(const PrimvarField& primvar, const MeshPoint& at) const {
+        return primvar.Evaluate(_surface->Patches(), _faces, at);
     }
     /// The normal that the scene gives a point of a patch of scheme none, in object space and of
     /// any length; zero if it gives none.
-    Vec3f AuthoredNormal(uint32_t patch, float u, float v) const;
-    /// Linear RGB display colour at a point of a patch.
-    Vec3f DisplayColor(uint32_t patch, float u, float v) const;
+    Vec3f AuthoredNormal(const MeshPoint& at) const;
+    /// Linear RGB display colour at a point.
+    Vec3f DisplayColor(const MeshPoint& at) const;
 
   private:
     friend class Scene;
@@ -86,8 +92,8 @@ class Mesh {
     /// Brings everything up to date with what was set since the last call.
     BuildReport _Build();
     void _BuildSurface(BuildReport* report);
-    /// Before the surface goes: primvars are to be spread over the patches of the next one.
-    void _TakePrimvarsBack();
+    /// Before the surface goes, or the instances: primvars are to be spread over the next ones.
+    void _TakePrimvarsBack(bool ofInstancesOnly);
     void _RebuildSurface(BuildReport* report);
     void _MoveSurface(BuildReport* report);
     void _BuildPrimvars(BuildReport* report);
@@ -97,8 +103,8 @@ class Mesh {
     /// Empty if the primvar needs none.
     FaceVaryingChannel _MakeChannel(const std::string& name, const Primvar& primvar,
                                     BuildReport* report) const;
-    void _BuildTransform(BuildReport* report);
-    bool _IsShown() const { return BuiltSurface() && _isTransformUsable; }
+    void _BuildPlacement(BuildReport* report);
+    bool _IsShown() const { return BuiltSurface() && _obstacles.Count() < _placement.Count(); }
     size_t _Bytes() const;
 
     std::string _name;
@@ -107,8 +113,9 @@ class Mesh {
     bool _visible = true;
     std::string _renderTag = "geometry";
 
-    AffineTransform _objectToWorld, _worldToObject;
-    bool _transformChanged = false, _isTransformUsable = true;
+    Placement _placement;
+    bool _placementChanged = false;
+    Placement::Obstacles _obstacles;
 
     /// Topology and points wait here until they are built; then the surface and _faces have all
     /// that is needed of them.

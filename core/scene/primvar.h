@@ -5,8 +5,8 @@
 
 namespace cc {
 
-/// How values are spread over a mesh (UsdGeomPrimvar interpolation).
-enum class Interpolation { Constant, Uniform, Varying, Vertex, FaceVarying };
+/// How values are spread over a mesh (UsdGeomPrimvar interpolation), or over its instances.
+enum class Interpolation { Constant, Uniform, Varying, Vertex, FaceVarying, Instance };
 
 /// Values of one to four floats on a mesh: displayColor, normals, texture coordinates, whatever a
 /// scene names. If indices is not empty, element i has the value that indices[i] names.

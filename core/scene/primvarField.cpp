@@ -14,13 +14,13 @@ struct Expectation {
     const char* interpolation;
 };
 
-Expectation ExpectedElements(Interpolation interpolation, const FaceVertices& faces,
-                             size_t pointCount) {
+Expectation ExpectedElements(Interpolation interpolation, const PrimvarSizes& sizes) {
     switch (interpolation) {
-        case Interpolation::Uniform: return {faces.FaceCount(), "uniform"};
-        case Interpolation::Varying: return {pointCount, "varying"};
-        case Interpolation::Vertex: return {pointCount, "vertex"};
-        case Interpolation::FaceVarying: return {faces.Count(), "faceVarying"};
+        case Interpolation::Uniform: return {sizes.faces.FaceCount(), "uniform"};
+        case Interpolation::Varying: return {sizes.pointCount, "varying"};
+        case Interpolation::Vertex: return {sizes.pointCount, "vertex"};
+        case Interpolation::FaceVarying: return {sizes.faces.Count(), "faceVarying"};
+        case Interpolation::Instance: return {sizes.instanceCount, "instance"};
         case Interpolation::Constant: break;
     }
     return {1, "constant"};
@@ -100,7 +100,8 @@ PrimvarField::PrimvarField(Primvar primvar, const PatchTable& patches, FaceVaryi
 }
 
 SurfaceValue PrimvarField::Evaluate(const PatchTable& patches, const FaceVertices& faces,
-                                    uint32_t patch, float u, float v) const {
+                                    const MeshPoint& at) const {
+    const auto [instance, patch, u, v] = at;
     size_t element = 0;
     switch (_primvar.interpolation) {
         case Interpolation::Vertex: return _vertexValues.Evaluate(patches, patch, u, v);
@@ -113,6 +114,7 @@ SurfaceValue PrimvarField::Evaluate(const PatchTable& patches, const FaceVertice
             return patches.IsTriangle(patch) ? _EvaluateOnTriangle(patches, faces, patch, u, v)
                                              : _EvaluateOnQuad(faces, patches.ToFace(patch, u, v));
         case Interpolation::Uniform: element = patches.AuthoredFace(patch); break;
+        case Interpolation::Instance: element = instance; break;
         case Interpolation::Constant: break;
     }
     SurfaceValue result;
@@ -199,9 +201,9 @@ size_t PrimvarField::Bytes() const {
            _vertexValues.Bytes() + _channel.Bytes();
 }
 
-std::string CheckPrimvar(const std::string& name, const Primvar& primvar, const FaceVertices& faces,
-                         size_t pointCount) {
-    const Expectation expected = ExpectedElements(primvar.interpolation, faces, pointCount);
+std::string CheckPrimvar(const std::string& name, const Primvar& primvar,
+                         const PrimvarSizes& sizes) {
+    const Expectation expected = ExpectedElements(primvar.interpolation, sizes);
     if (primvar.ElementCount() != expected.count) {
         return name + " is " + expected.interpolation + " and has " +
                std::to_string(primvar.ElementCount()) + " elements where " +

@@ -10,8 +10,15 @@
 
 namespace cc {
 
+/// A point of a mesh that a ray hits: of which of its instances it is, and where on the mesh.
+struct MeshPoint {
+    uint32_t instance = 0;
+    uint32_t patch = 0;
+    float u = 0, v = 0;
+};
+
 /// A primvar spread over the patches of a mesh: constant, one a face, refined like the points,
-/// linear over each authored face, or a face-varying surface of its own.
+/// linear over each authored face, or a face-varying surface of its own; or over its instances.
 class PrimvarField {
   public:
     /// A field without values, which must not be evaluated.
@@ -25,10 +32,12 @@ class PrimvarField {
     /// Numbers a value, 1 to 4.
     int Arity() const { return _primvar.arity; }
 
-    /// The value at parameters u, v of a patch, and its derivatives by the parameters of the
-    /// authored face, zero for constant and uniform ones. Patches and faces are those of the mesh.
-    SurfaceValue Evaluate(const PatchTable& patches, const FaceVertices& faces, uint32_t patch,
-                          float u, float v) const;
+    /// The value at a point, and its derivatives by the parameters of the authored face, zero for
+    /// constant, uniform and instance ones. Patches and faces are those of the mesh.
+    SurfaceValue Evaluate(const PatchTable& patches, const FaceVertices& faces,
+                          const MeshPoint& at) const;
+
+    bool IsOfInstances() const { return _primvar.interpolation == Interpolation::Instance; }
 
     /// True if the field is made of just these values.
     bool IsMadeOf(const Primvar& primvar, const PatchTable& patches) const;
@@ -51,9 +60,16 @@ class PrimvarField {
     FaceVaryingChannel _channel;
 };
 
-/// What is wrong with a primvar for a mesh of these faces and this many points: too many or too
-/// few elements, indices out of range, values that are not finite. Empty if it can be used.
-std::string CheckPrimvar(const std::string& name, const Primvar& primvar, const FaceVertices& faces,
-                         size_t pointCount);
+/// How many elements a primvar may have on a mesh.
+struct PrimvarSizes {
+    const FaceVertices& faces;
+    size_t pointCount;
+    size_t instanceCount;
+};
+
+/// What is wrong with a primvar for a mesh of these sizes: too many or too few elements, indices
+/// out of range, values that are not finite. Empty if it can be used.
+std::string CheckPrimvar(const std::string& name, const Primvar& primvar,
+                         const PrimvarSizes& sizes);
 
 }  // namespace cc

@@ -117,25 +117,47 @@ bool Scene::_BuildMeshes(const std::vector<Mesh*>& meshes, std::vector<std::stri
 }
 
 void Scene::_BuildTopLevel(const std::vector<Mesh*>& meshes, bool meshesChanged) {
-    std::vector<const Mesh*> instanceMeshes;
-    std::vector<Instance> instances;
-    for (const Mesh* mesh : meshes) {
-        if (mesh->_IsShown()) {
-            instanceMeshes.push_back(mesh);
-            instances.push_back({mesh->BuiltSurface(), mesh->_objectToWorld, mesh->_worldToObject});
-        }
-    }
-    if (!meshesChanged && instanceMeshes == _instanceMeshes) {
+    std::vector<const Mesh*> shown;
+    std::copy_if(meshes.begin(), meshes.end(), std::back_inserter(shown),
+                 [](const Mesh* mesh) { return mesh->_IsShown(); });
+    if (!meshesChanged && shown == _shown) {
         return;
     }
-    _instanceMeshes = std::move(instanceMeshes);
-    _instances = InstanceBvh(std::move(instances));
+    _shown = std::move(shown);
+    _instances = {};  // before there is another one
+    _instances = InstanceBvh(_PlaceInstances());
     ++_work.topLevelsBuilt;
+}
+
+std::vector<Instance> Scene::_PlaceInstances() {
+    std::vector<size_t> firsts{0};
+    for (const Mesh* mesh : _shown) {
+        firsts.push_back(firsts.back() + mesh->_placement.Count());
+    }
+    std::vector<Instance> instances(firsts.back());
+    _origins.assign(firsts.back(), {});
+    tbb::parallel_for(size_t(0), _shown.size(), [&](size_t m) {
+        const Mesh& mesh = *_shown[m];
+        tbb::parallel_for(size_t(0), mesh._placement.Count(), [&, m](size_t i) {
+            mesh._placement.Place(*mesh.BuiltSurface(), i, &instances[firsts[m] + i]);
+            _origins[firsts[m] + i] = {static_cast<uint32_t>(m), static_cast<uint32_t>(i)};
+        });
+    });
+    size_t placed = 0;
+    for (size_t i = 0; i < instances.size(); ++i) {
+        if (instances[i].surface) {
+            instances[placed] = instances[i];
+            _origins[placed++] = _origins[i];
+        }
+    }
+    instances.resize(placed);
+    _origins.resize(placed);
+    return instances;
 }
 
 int Scene::PrimvarArity(const std::string& name) const {
     int arity = 0;
-    for (const Mesh* mesh : _instanceMeshes) {
+    for (const Mesh* mesh : _shown) {
         const PrimvarField* primvar = mesh->FindPrimvar(name);
         arity = primvar ? std::max(arity, primvar->Arity()) : arity;
     }
@@ -145,7 +167,7 @@ int Scene::PrimvarArity(const std::string& name) const {
 /// Tessellates the surfaces that are shown, if a level is given, and drops all other tessellations.
 void Scene::_Tessellate(std::optional<int> level, std::vector<std::string>* lines) {
     const bool isOtherLevel = std::exchange(_tessellationLevel, level) != level;
-    const std::unordered_set<const Mesh*> shown(_instanceMeshes.begin(), _instanceMeshes.end());
+    const std::unordered_set<const Mesh*> shown(_shown.begin(), _shown.end());
     std::vector<Surface*> surfaces;
     for (const auto& mesh : _meshes) {
         const bool isShown = level && shown.count(mesh.get()) != 0;
@@ -174,15 +196,17 @@ void Scene::_Tessellate(std::optional<int> level, std::vector<std::string>* line
 
 Scene::Statistics Scene::GetStatistics() const {
     Statistics statistics = _work;
-    for (const Mesh* mesh : _instanceMeshes) {
+    for (const Mesh* mesh : _shown) {
         statistics.faces += mesh->_faces.FaceCount();
         statistics.patches += mesh->BuiltSurface()->Patches().Count();
         statistics.bytes += mesh->_Bytes();
         statistics.tessellationBytes += mesh->BuiltSurface()->TessellationBytes();
     }
     statistics.bytes += LimitGridPlans::SharedBytes();
+    statistics.instances = _instances.Instances().size();
     statistics.bytes += _instances.Instances().capacity() * sizeof(Instance) + _instances.Bytes() +
-                        _instanceMeshes.capacity() * sizeof(const Mesh*);
+                        _shown.capacity() * sizeof(const Mesh*) +
+                        _origins.capacity() * sizeof(Origin);
     return statistics;
 }
 

@@ -41,17 +41,21 @@ class Scene {
     const InstanceBvh& Instances() const { return _instances; }
     /// False if the last Build did not tessellate, because memory does not hold what that takes.
     bool TessellationFits() const { return _tessellationFits; }
+    /// The meshes that are seen.
+    const std::vector<const Mesh*>& ShownMeshes() const { return _shown; }
     /// The mesh of an instance, by the index that hits carry.
-    const Mesh& InstanceMesh(uint32_t instance) const { return *_instanceMeshes[instance]; }
+    const Mesh& InstanceMesh(uint32_t instance) const { return *_shown[_origins[instance].mesh]; }
+    /// Which of its mesh's instances it is; 0 if the mesh is not instanced.
+    uint32_t InstanceIndex(uint32_t instance) const { return _origins[instance].index; }
     const std::vector<std::unique_ptr<Light>>& Lights() const { return _lights; }
 
     /// Most numbers a value that a primvar has on any mesh that is shown; 0 if none has it.
     int PrimvarArity(const std::string& name) const;
 
-    /// Authored faces, patches and bytes of structures of all that is built, limit grid plans of
-    /// the process among them.
+    /// Authored faces, patches and bytes of structures of all that is built, each mesh counted once
+    /// however many its instances, and limit grid plans of the process among them.
     struct Statistics {
-        size_t faces = 0, patches = 0, bytes = 0;
+        size_t faces = 0, patches = 0, instances = 0, bytes = 0;
         size_t tessellationBytes = 0;  ///< of bytes: those of tessellations
         double buildSeconds = 0;       ///< of the last Build
         /// What all calls of Build did: surfaces made, surfaces whose points moved, top levels
@@ -63,13 +67,21 @@ class Scene {
   private:
     bool _BuildMeshes(const std::vector<Mesh*>& meshes, std::vector<std::string>* lines);
     void _BuildTopLevel(const std::vector<Mesh*>& meshes, bool meshesChanged);
+    /// Instances of what is shown, and their origins.
+    std::vector<Instance> _PlaceInstances();
     void _Tessellate(std::optional<int> level, std::vector<std::string>* lines);
 
     std::mutex _mutex;
     std::vector<std::unique_ptr<Mesh>> _meshes;
     std::vector<std::unique_ptr<Light>> _lights;
-    std::vector<const Mesh*> _instanceMeshes;
+    std::vector<const Mesh*> _shown;
     InstanceBvh _instances;
+    /// What an instance is of.
+    struct Origin {
+        uint32_t mesh;   ///< in _shown
+        uint32_t index;  ///< among the instances of that
+    };
+    std::vector<Origin> _origins;
     std::optional<int> _tessellationLevel;
     bool _tessellationFits = true;
     /// Only the counts of work and the time; the rest is added up when asked for.

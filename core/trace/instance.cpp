@@ -4,6 +4,8 @@
 #include <queue>
 #include <tuple>
 
+#include <tbb/parallel_for.h>
+
 namespace cc {
 namespace {
 
@@ -86,12 +88,12 @@ class PartOpener {
 }  // namespace
 
 InstanceBvh::InstanceBvh(std::vector<Instance> instances) : _instances(std::move(instances)) {
-    std::vector<Box3f> boxes;
-    boxes.reserve(_instances.size());
-    for (Instance& instance : _instances) {
+    std::vector<Box3f> boxes(_instances.size());
+    tbb::parallel_for(size_t(0), _instances.size(), [&](size_t i) {
+        Instance& instance = _instances[i];
         instance.isInPlace = instance.objectToWorld == AffineTransform();
-        boxes.push_back(instance.objectToWorld.Box(instance.surface->Bounds()));
-    }
+        boxes[i] = instance.objectToWorld.Box(instance.surface->Bounds());
+    });
     _bvh = Bvh(boxes);
 
     const size_t count = _instances.size();

@@ -268,33 +268,6 @@ def test_color_edit_leaves_the_surface_alone() -> None:
     assert_same(after, before, CENTER_AOVS)
 
 
-def test_instances_are_left_out_with_a_warning(warnings: Any) -> None:
-    stage = make_stage()
-    add_grid(stage, "/Grid")
-    expected = render(stage)
-    instancer = UsdGeom.PointInstancer.Define(stage, "/Points")
-    add_cube(stage, "/Points/Cube")
-    instancer.CreatePrototypesRel().SetTargets(["/Points/Cube"])
-    instancer.CreatePositionsAttr([(0, 0, 2), (1, 0, 2)])
-    instancer.CreateProtoIndicesAttr([0, 0])
-    picture = render(stage)
-    assert "instancing is not supported" in warnings.read()
-    assert_same(picture, expected)
-
-
-def test_scene_graph_instances_are_left_out() -> None:
-    stage = make_stage()
-    add_cube(stage, "/Source/Cube")
-    stage.GetPrimAtPath("/Source").SetActive(True)
-    for name in ("/A", "/B"):
-        prim = stage.DefinePrim(name)
-        prim.GetReferences().AddInternalReference("/Source")
-        prim.SetInstanceable(True)
-    stage.GetPrimAtPath("/Source").SetActive(True)
-    view = View(stage)
-    assert view.render()["primId"].shape == (32, 32)
-
-
 def test_skinned_points() -> None:
     stage = Usd.Stage.CreateInMemory()
     add_skinned_grid(stage)

@@ -30,7 +30,7 @@ struct OneMesh {
         }
     }
     size_t Shown() const { return scene.Instances().Instances().size(); }
-    Vec3f Color() const { return mesh->DisplayColor(0, 0.5f, 0.5f); }
+    Vec3f Color() const { return mesh->DisplayColor({0, 0, 0.5f, 0.5f}); }
 
     Scene scene;
     Mesh* mesh;

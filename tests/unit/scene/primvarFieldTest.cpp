@@ -27,6 +27,7 @@ size_t ElementCount(const Cage& cage, Interpolation interpolation) {
         case Interpolation::Varying:
         case Interpolation::Vertex: return cage.points.size();
         case Interpolation::FaceVarying: return cage.mesh.faceVertexIndices.size();
+        case Interpolation::Instance:
         case Interpolation::Constant: break;
     }
     return 1;
@@ -63,7 +64,7 @@ struct Built {
 
     const PatchTable& Patches() const { return mesh->BuiltSurface()->Patches(); }
     SurfaceValue At(uint32_t patch, float u, float v) const {
-        return mesh->Evaluate(*field, patch, u, v);
+        return mesh->Evaluate(*field, {0, patch, u, v});
     }
 
     Scene scene;
@@ -280,7 +281,7 @@ TEST(CheckPrimvar, FindsWrongElementCounts) {
                 return CheckPrimvar("st",
                                     {interpolation, arity, std::vector<float>(valueCount * arity),
                                      std::move(indices)},
-                                    faces, cage.points.size());
+                                    {faces, cage.points.size(), 1});
             };
             EXPECT_EQ(check(count, {}), "");
             EXPECT_NE(check(count + 1, {}), "");
@@ -300,7 +301,7 @@ TEST(CheckPrimvar, NamesWhatIsNotFinite) {
     for (const float bad :
          {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
         const std::string error =
-            CheckPrimvar("st", {Interpolation::Constant, 2, {1, bad}, {}}, faces, 4);
+            CheckPrimvar("st", {Interpolation::Constant, 2, {1, bad}, {}}, {faces, 4, 1});
         EXPECT_NE(error.find("st has"), std::string::npos) << error;
     }
 }

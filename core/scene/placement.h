@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/math/transform.h"
+#include "core/trace/instance.h"
+
+namespace cc {
+
+/// Where a mesh stands in the world: in one place, or wherever its instances are.
+class Placement {
+  public:
+    /// Moves the mesh, each instance of it in that instance's own space.
+    /// Returns true if that changes anything.
+    bool SetTransform(const AffineTransform& objectToWorld);
+    /// Puts instances in the place of the mesh itself; none is nowhere. Each map is applied after
+    /// the mesh's own transform.
+    void SetInstances(std::vector<AffineTransform> instanceToWorld);
+    /// Puts the mesh itself back. Returns true if there were instances.
+    bool ClearInstances();
+
+    bool IsInstanced() const { return _instances.has_value(); }
+    size_t Count() const { return _instances ? _instances->size() : 1; }
+
+    enum class Obstacle { None, Singular, TooLarge };
+    /// Puts a surface into a place, 0..Count()-1. If that cannot be, the instance is left alone.
+    Obstacle Place(const Surface& surface, size_t index, Instance* instance) const;
+
+    /// What keeps a surface from how many of its places.
+    struct Obstacles {
+        size_t singular = 0, tooLarge = 0;
+
+        size_t Count() const { return singular + tooLarge; }
+        bool operator==(const Obstacles& b) const {
+            return singular == b.singular && tooLarge == b.tooLarge;
+        }
+    };
+    /// Tries all places, in parallel.
+    Obstacles FindObstacles(const Surface& surface) const;
+    /// Says them in lines for people, without the mesh's name.
+    std::vector<std::string> Describe(const Obstacles& obstacles) const;
+
+    /// Memory held, in bytes.
+    size_t Bytes() const {
+        return _instances ? _instances->capacity() * sizeof(AffineTransform) : 0;
+    }
+
+  private:
+    std::string _DescribeOne(size_t count, const char* ofMesh, const char* ofInstances) const;
+
+    AffineTransform _objectToWorld;
+    /// Without a value the mesh is not instanced.
+    std::optional<std::vector<AffineTransform>> _instances;
+};
+
+}  // namespace cc
