@@ -65,8 +65,11 @@ static _Elements<T> _Read(VtValue const &value) {
     const auto tryArray = [&](auto const *example) {
         using Array = std::decay_t<decltype(*example)>;
         if (value.IsHolding<Array>()) {
-            const Array array = value.UncheckedGet<Array>();
-            elements = {array.size(), [array](size_t i) { return T(array.cdata()[i]); }, true};
+            elements.count = value.UncheckedGet<Array>().size();
+            elements.at = [array = value.UncheckedGet<Array>()](size_t i) {
+                return T(array.cdata()[i]);
+            };
+            elements.isUsable = true;
         }
     };
     (tryArray(static_cast<Arrays const *>(nullptr)), ...);

@@ -207,6 +207,20 @@ def test_watertight(run, tmp_path: Path) -> None:
         assert row["escapes"] == 0, row["first_escape"]
 
 
+def test_instances(run, tmp_path: Path) -> None:
+    rows_file = tmp_path / "rows.json"
+    result = run("bench", "instances", "--quick", "--json", rows_file)
+    assert result.returncode == 0, result.stderr
+    rows = json.loads(rows_file.read_text())
+    assert [row["instances"] for row in rows] == [1, 1000]
+    for row in rows:
+        assert {*KEYS, "scene", "level", "threads", "tracer", "ratio"} <= set(row)
+    # One surface, and not even a page for each instance.
+    more = rows[1]["bytes"]["structures"] - rows[0]["bytes"]["structures"]
+    assert rows[1]["faces"] == rows[0]["faces"]
+    assert 0 < more < 1000 * 4096
+
+
 ON_A_SCENE = [name for name, suite in SUITES.items() if suite.takes_scene]
 
 

@@ -184,6 +184,17 @@ THREADS: Columns = {
     "Mrays/s": lambda row: f"{row['mrays_per_second'][row['kind']]:.2f}",
     "over one thread": _number("ratio", "{:.2f}x"),
 }
+INSTANCES: Columns = {
+    "instances": lambda row: f"{row['instances']:,}",
+    "faces seen": lambda row: f"{row['instances'] * row['faces']:,}",
+    "sync s": _number("seconds.sync", "{:.3f}"),
+    "build s": _number("seconds.build", "{:.3f}"),
+    "trace s": _number("seconds.trace", "{:.3f}"),
+    "process s": _number("seconds.process", "{:.2f}"),
+    "Mrays/s": _number("mrays_per_second.primary", "{:.2f}"),
+    "structures MB": _megabytes("bytes.structures"),
+    "peak MB": _megabytes("bytes.peak_rss"),
+}
 WATERTIGHT: Columns = {
     "cages": lambda row: str(row["cages"]),
     "level": lambda row: str(row["level"]),

@@ -32,20 +32,29 @@ GENERATED = {
     "city": ("city.py",),
     **{kind: ("cages.py", "--kind", kind) for kind in CAGES},
 }
+#: How many instances of the creature there are in scenes of one.
+HERDS = (1, 1_000, 1_000_000)
 
 
 def scenes(options: argparse.Namespace, names: Sequence[str] = SIZES) -> list[Scene]:
     """The chosen scene, or else those of the suite."""
     if options.scene in GENERATED:
-        return [_generate(options.scene)]
+        return [_generate(options.scene, GENERATED[options.scene])]
     if options.scene:
         return [Scene(Path(options.scene).stem, Path(options.scene))]
-    return [_generate(name) for name in names if not (options.quick and name == "city")]
+    return [
+        _generate(name, GENERATED[name]) for name in names if not (options.quick and name == "city")
+    ]
 
 
-def _generate(name: str) -> Scene:
+def herd(count: int) -> Scene:
+    """A scene of so many instances."""
+    return _generate(f"herd-{count}", ("herd.py", "--count", str(count)))
+
+
+def _generate(name: str, command: Sequence[str]) -> Scene:
     """Runs a generator, unless what it made last is newer than every generator."""
-    script, *options = GENERATED[name]
+    script, *options = command
     file = BUILD / "bench" / f"{name}.usdc"
     newest = max(path.stat().st_mtime for path in GENERATORS.glob("*.py"))
     if file.is_file() and file.stat().st_mtime > newest:

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from . import (
     bench_columns,
     bench_embree,
+    bench_instances,
     bench_measure,
     bench_programs,
     bench_scenes,
@@ -288,6 +289,12 @@ SUITES = {
     "build": Suite("from points to the first ray", build, bench_columns.BUILD),
     "memory": Suite("bytes a face", memory, bench_columns.MEMORY),
     "threads": Suite("one thread and more", threads, bench_columns.THREADS),
+    "instances": Suite(
+        "one mesh, up to a million times",
+        bench_instances.run,
+        bench_columns.INSTANCES,
+        takes_scene=False,
+    ),
     "watertight": Suite(
         "rays that slip through closed surfaces",
         bench_watertight.run,
