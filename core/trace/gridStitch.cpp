@@ -28,7 +28,7 @@ int GridStitch::_MoveInside(int i, bool isLowEdge, bool isHighEdge) const {
     return least > most ? _side / 2 : std::min(std::max(_Nearest(i, _innerStep), least), most);
 }
 
-void GridStitch::_Move(int* column, int* row) const {
+void GridStitch::Move(int* column, int* row) const {
     const int c = *column, r = *row;
     const int rowBorder = r == 0 ? kLowRow : kHighRow;
     const int columnBorder = c == 0 ? kLowColumn : kHighColumn;
@@ -53,7 +53,7 @@ float GridStitch::Apply(LimitGrid* grid) const {
         const bool isInside = row > 0 && row < _side && _innerStep == 1;
         for (int column = 0; column <= _side; column += isInside ? _side : 1) {
             int fromColumn = column, fromRow = row;
-            _Move(&fromColumn, &fromRow);
+            Move(&fromColumn, &fromRow);
             for (auto& points : grid->points) {
                 points[row][column] = points[fromRow][fromColumn];
             }
@@ -135,7 +135,7 @@ void GridStitch::ToUnmoved(int triangle, float* u, float* v) const {
     *u = *v = 0;
     for (int i = 0; i < 3; ++i) {
         int movedColumn = column + corners[i][0], movedRow = row + corners[i][1];
-        _Move(&movedColumn, &movedRow);
+        Move(&movedColumn, &movedRow);
         *u += weights[i] * static_cast<float>(movedColumn);
         *v += weights[i] * static_cast<float>(movedRow);
     }

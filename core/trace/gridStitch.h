@@ -31,6 +31,9 @@ class GridStitch {
     /// meet after.
     void Widen(int* firstColumn, int* lastColumn, int* firstRow, int* lastRow) const;
 
+    /// Where a point of the grid, by its column and row, has gone.
+    void Move(int* column, int* row) const;
+
     /// Where in the grid, in quads, a hit is that was found at u and v on a quad's triangle as if
     /// no point had moved.
     /// @param triangle  two for each quad, row by row (GridHit)
@@ -45,8 +48,6 @@ class GridStitch {
     enum Border { kLowRow, kHighColumn, kHighRow, kLowColumn };
 
     static int _Nearest(int i, int step) { return (i + step / 2) / step * step; }
-    /// Where a point of the grid has gone.
-    void _Move(int* column, int* row) const;
     /// Where the number of a column or row inside has gone. Fans leave no room for others at the
     /// patch's edges.
     int _MoveInside(int i, bool isLowEdge, bool isHighEdge) const;

@@ -31,7 +31,9 @@ PixelErrorLevels::PixelErrorLevels(const PixelErrorMetric& metric, const Instanc
       _scale(_space.Stretch() * metric.view.pixels / metric.pixelError),
       _least(_surface.Patches().MaxDepth()),
       _finest(std::max(metric.finest, _least)) {
-    _least = std::max(_least, Whole() - kMostDifference);
+    // Edges are placed by control points, which may be nearer to the eye than any of the surface.
+    _finest = Whole();
+    _least = std::max(_least, _finest - kMostDifference);
 }
 
 int PixelErrorLevels::Whole() const {

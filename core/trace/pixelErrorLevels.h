@@ -17,7 +17,7 @@ class PixelErrorLevels {
   public:
     PixelErrorLevels(const PixelErrorMetric& metric, const Instance& instance);
 
-    /// One level for all patches.
+    /// One level for all patches; no edge has a finer one.
     int Whole() const;
     PatchLevels Of(uint32_t patch) const;
 

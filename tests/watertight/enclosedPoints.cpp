@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/subdiv/limitPoint.h"
+#include "core/trace/gridStitch.h"
 
 namespace cc::test {
 namespace {
@@ -52,23 +53,38 @@ class RelativeGrid {
     std::vector<Vector> _points;
 };
 
-double SolidAngleOfPatch(const Surface& surface, uint32_t patch, int n, const Vec3f& origin) {
-    const RelativeGrid grid(surface, patch, n, origin);
-    const bool isTriangle = surface.Patches().IsTriangle(patch);
+double SolidAngleOfTriangularPatch(const RelativeGrid& grid, int n) {
     double sum = 0;
     for (int i = 0; i < n; ++i) {
-        for (int j = 0; j < (isTriangle ? n - i : n); ++j) {
-            const Vector &a = grid.At(i, j), &b = grid.At(i, j + 1), &d = grid.At(i + 1, j);
-            if (isTriangle) {
-                sum += SolidAngle(a, b, d);
-                if (i + j + 1 < n) {
-                    sum += SolidAngle(b, grid.At(i + 1, j + 1), d);
-                }
-            } else {
-                // Cut as tracers cut quads.
-                const Vector& c = grid.At(i + 1, j + 1);
-                sum += SolidAngle(a, b, c) + SolidAngle(a, c, d);
+        for (int j = 0; j < n - i; ++j) {
+            const Vector &b = grid.At(i, j + 1), &d = grid.At(i + 1, j);
+            sum += SolidAngle(grid.At(i, j), b, d);
+            if (i + j + 1 < n) {
+                sum += SolidAngle(b, grid.At(i + 1, j + 1), d);
             }
+        }
+    }
+    return sum;
+}
+
+double SolidAngleOfPatch(const Surface& surface, uint32_t patch, const PatchLevels& levels,
+                         const Vec3f& origin) {
+    const int n = 1 << (levels.Finest() - surface.Patches().At(patch).depth);
+    const RelativeGrid grid(surface, patch, n, origin);
+    if (surface.Patches().IsTriangle(patch)) {
+        return SolidAngleOfTriangularPatch(grid, n);
+    }
+    const GridStitch stitch(levels, {0, 0, 1}, n, false);
+    const auto at = [&](int row, int column) {
+        stitch.Move(&column, &row);
+        return grid.At(row, column);
+    };
+    double sum = 0;
+    for (int i = 0; i < n; ++i) {
+        for (int j = 0; j < n; ++j) {
+            // Cut as tracers cut quads.
+            const Vector a = at(i, j), c = at(i + 1, j + 1);
+            sum += SolidAngle(a, at(i, j + 1), c) + SolidAngle(a, c, at(i + 1, j));
         }
     }
     return sum;
@@ -76,28 +92,27 @@ double SolidAngleOfPatch(const Surface& surface, uint32_t patch, int n, const Ve
 
 }  // namespace
 
-double WindingNumber(const Surface& surface, int level, const Vec3f& point) {
-    const PatchTable& patches = surface.Patches();
-    const int finest = std::max(level, patches.MaxDepth());
+double WindingNumber(const Surface& surface, const InstanceLevels& levels, const Vec3f& point) {
     double sum = 0;
-    for (uint32_t patch = 0; patch < patches.Count(); ++patch) {
-        sum += SolidAngleOfPatch(surface, patch, 1 << (finest - patches.At(patch).depth), point);
+    for (uint32_t patch = 0; patch < surface.Patches().Count(); ++patch) {
+        sum += SolidAngleOfPatch(surface, patch, levels.Of(patch), point);
     }
     return sum / kFullSphere;
 }
 
-bool IsEnclosed(const Surface& surface, int level, const Vec3f& point, float rounding) {
+bool IsEnclosed(const Surface& surface, const InstanceLevels& levels, const Vec3f& point,
+                float rounding) {
     for (int i = 0; i < 6; ++i) {
         Vec3f beside = point;
         beside[i / 2] += i % 2 == 0 ? rounding : -rounding;
-        if (std::fabs(WindingNumber(surface, level, beside)) < 0.9) {
+        if (std::fabs(WindingNumber(surface, levels, beside)) < 0.9) {
             return false;
         }
     }
     return true;
 }
 
-std::vector<Vec3f> EnclosedPoints(const Surface& surface, int level, size_t most,
+std::vector<Vec3f> EnclosedPoints(const Surface& surface, const InstanceLevels& levels, size_t most,
                                   std::mt19937* random) {
     constexpr int kTries = 12;
     std::vector<Vec3f> found;
@@ -111,7 +126,7 @@ std::vector<Vec3f> EnclosedPoints(const Surface& surface, int level, size_t most
                           unit(*random), unit(*random));
         for (const float side : {-1.0f, 1.0f}) {
             const Vec3f point = at.position + at.normal * (side * depth(*random) * diagonal);
-            if (std::fabs(WindingNumber(surface, level, point)) > 0.9) {
+            if (std::fabs(WindingNumber(surface, levels, point)) > 0.9) {
                 found.push_back(point);
                 break;
             }

@@ -52,8 +52,9 @@ class PlacedCage {
     Vec3f ToWorld(const Vec3f& p) const { return _world.Instances()[0].objectToWorld.Point(p); }
     /// True if every ray that passes a point of the surface's space, as the world knows it, must
     /// hit.
-    bool Encloses(const Vec3f& point, int level) const {
-        return IsEnclosed(*_surface, level, point, _rounding);
+    bool Encloses(const Vec3f& point, const LevelMetric& metric) const {
+        return IsEnclosed(*_surface, InstanceLevels(metric, _world.Instances()[0]), point,
+                          _rounding);
     }
     /// Where a point of the cage, as it was before it was placed, is in the surface's space.
     Vec3f Place(const Vec3f& p) const {
@@ -268,8 +269,8 @@ void CountInCage(const Cage& source, const PlacedCage& cage, const std::vector<V
         const RayPacket rays = MakePacket(cage.ToWorld(point), kind, isAcross, &targets, random);
         const uint64_t escapes = Escapes(*tracer, cage, rays, anyHit, &grids);
         count->rays += static_cast<uint64_t>(rays.count);
-        // Level by level the inside is a little different: what counts is that of this one.
-        if (escapes != 0 && cage.Encloses(point, count->level)) {
+        // Level by level the inside is a little different: what counts is that of these.
+        if (escapes != 0 && cage.Encloses(point, levels.Metric())) {
             count->escapes += static_cast<uint64_t>(__builtin_popcountll(escapes));
             if (count->firstEscape.empty()) {
                 count->firstEscape = Describe(source, rays, __builtin_ctzll(escapes),
@@ -307,6 +308,14 @@ void Add(const WatertightCount& from, WatertightCount* to) {
     }
 }
 
+/// Some points well inside a cage.
+std::vector<Vec3f> PointsInside(const Cage& cage, std::mt19937* random) {
+    const Surface surface(cage.mesh, cage.points);
+    Instance instance;
+    instance.surface = &surface;
+    return EnclosedPoints(surface, InstanceLevels(kInsideLevel, instance), 3, random);
+}
+
 }  // namespace
 
 const std::vector<Placement>& AllPlacements() {
@@ -340,8 +349,7 @@ std::vector<WatertightCount> CountEscapes(const std::vector<Cage>& closedCages,
     tbb::parallel_for(size_t(0), closedCages.size(), [&](size_t c) {
         const Cage& source = closedCages[c];
         std::mt19937 random(options.seed * 1'000'003u + static_cast<uint32_t>(c));
-        const std::vector<Vec3f> candidates =
-            EnclosedPoints(Surface(source.mesh, source.points), kInsideLevel, 3, &random);
+        const std::vector<Vec3f> candidates = PointsInside(source, &random);
         WatertightCount* count = ofCages[c].data();
         for (const Placement& placement : placements) {
             const PlacedCage cage(source, placement);

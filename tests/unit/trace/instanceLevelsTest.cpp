@@ -131,6 +131,32 @@ TEST_P(InstanceLevelsTest, DistanceChoosesOneOfThreeLevels) {
     }
 }
 
+/// Grids can be stitched over five levels. Control points, which edges are placed by, may be at the
+/// eye while the surface is not.
+TEST_P(InstanceLevelsTest, SpanFiveLevelsAtMost) {
+    const TracedCage traced(GetParam());
+    const PatchTable& patches = traced.surface->Patches();
+    if (patches.IsCutAlike()) {
+        return;  // has one level
+    }
+    std::mt19937 random(11);
+    std::uniform_real_distribution<float> unit(0, 1);
+    for (int round = 0; round < 50; ++round) {
+        LevelView view = RandomView(traced.world.Bounds(), &random);
+        const std::vector<Vec3f>& points = traced.surface->PatchPoints();
+        const Vec3f eye = points[random() % points.size()];
+        view.eye = {eye.x, eye.y, eye.z};
+        const PixelErrorMetric metric{view, 100 * std::exp2(-20 * unit(random)), 8};
+        const InstanceLevels levels(metric, traced.world.Instances()[0]);
+        int finest = 0, coarsest = kFinestLevel;
+        for (uint32_t patch = 0; patch < patches.Count(); ++patch) {
+            finest = std::max(finest, levels.Of(patch).Finest());
+            coarsest = std::min(coarsest, levels.Of(patch).Coarsest());
+        }
+        EXPECT_LE(finest - coarsest, 5);
+    }
+}
+
 /// Where neighbours differ the finer one ends in no fans, but where quads are long and thin.
 TEST(InstanceLevels, FansAreOnTheCoarserSide) {
     const TracedCage traced(Cube());
