@@ -17,6 +17,7 @@ TF_DEFINE_PRIVATE_TOKENS(
     ((tracer, "hdcc:tracer"))
     ((adaptive, "hdcc:adaptive"))
     ((pixelError, "hdcc:pixelError"))
+    ((secondaryError, "hdcc:secondaryError"))
     ((alpha, "hdcc:alpha"))
     ((level, "hdcc:level"))
     ((integrator, "hdcc:integrator"))
@@ -74,6 +75,13 @@ static std::vector<_Setting> const &_Settings() {
          VtValue(0.25f),
          {},
          0.001,
+         1000},
+        {_tokens->secondaryError,
+         "Error of other things in shadows, in pixels (0: as seen)",
+         _Kind::Number,
+         VtValue(0.0f),
+         {},
+         0,
          1000},
         {_tokens->alpha,
          "Levels by distance (0: by error)",
@@ -239,6 +247,8 @@ cc::RenderOptions HdCCRenderOptions(HdRenderDelegate const &delegate) {
     options.integrator = cc::IntegratorKind::Raycast;
     options.adaptive = delegate.GetRenderSetting(_tokens->adaptive, options.adaptive);
     options.pixelError = delegate.GetRenderSetting(_tokens->pixelError, options.pixelError);
+    options.secondaryError =
+        delegate.GetRenderSetting(_tokens->secondaryError, options.secondaryError);
     options.alpha = delegate.GetRenderSetting(_tokens->alpha, options.alpha);
     options.level = delegate.GetRenderSetting(_tokens->level, options.level);
     options.samples = delegate.GetRenderSetting(_tokens->samples, options.samples);

@@ -116,6 +116,15 @@ LevelMetric MakeLevelMetric(const Scene& scene, const Camera& camera, int width,
     return PixelErrorMetric{view, options.pixelError, options.level};
 }
 
+LevelMetric SecondaryLevels(const LevelMetric& primary, const RenderOptions& options) {
+    if (const auto* rule = std::get_if<PixelErrorMetric>(&primary.GetRule())) {
+        PixelErrorMetric secondary = *rule;
+        secondary.remoteError = options.secondaryError;
+        return secondary;
+    }
+    return primary;
+}
+
 bool RenderFrame(const Scene& scene, const Camera& camera, const RenderOptions& options, Film* film,
                  RenderStatistics* statistics, std::atomic<int64_t>* progress,
                  const std::atomic<bool>* stop) {
@@ -139,7 +148,9 @@ bool RenderFrame(const Scene& scene, const Camera& camera, const RenderOptions& 
     }
     const LevelMetric levels = MakeLevelMetric(scene, camera, film->Width(), film->Height(), valid);
     const std::unique_ptr<Tracer> tracer = MakeTracer(valid.tracer, levels);
-    const TileRenderer renderer(scene, cameraRays, *tracer, levels, valid, film);
+    const std::unique_ptr<Tracer> shadows =
+        MakeTracer(valid.tracer, SecondaryLevels(levels, valid));
+    const TileRenderer renderer(scene, cameraRays, *tracer, *shadows, levels, valid, film);
     const std::vector<Tile> tiles = TilesFromTheMiddle(film->Width(), film->Height());
     std::vector<RenderStatistics> workers(valid.threads);
     const size_t done = RenderTiles(renderer, tiles, valid.threads, &workers, progress, stop);

@@ -23,6 +23,9 @@ struct RenderOptions {
     bool adaptive = true;
     /// Pixels that quads may be off the surface by in the picture; above 0.
     float pixelError = 0.25f;
+    /// The same in what rays see that start on a surface, if that is more: of other instances, and
+    /// only where levels go by error.
+    float secondaryError = 0;
     /// Above 0: levels by distance instead, with the paper's alpha (DistanceLevels).
     float alpha = 0;
     int level = 4;     ///< 0..8, the finest if adaptive, else of all
@@ -55,9 +58,12 @@ struct RenderStatistics {
     }
 };
 
-/// How finely a frame cuts surfaces.
+/// How finely a frame cuts surfaces, for rays from the camera. Secondary rays may see them coarser.
 LevelMetric MakeLevelMetric(const Scene& scene, const Camera& camera, int width, int height,
                             const RenderOptions& options);
+
+/// The levels that rays see which start on what the camera's rays hit.
+LevelMetric SecondaryLevels(const LevelMetric& primary, const RenderOptions& options);
 
 /// Renders a built scene into the planes that the film has. The result is the same for any number
 /// of threads. Ids, depths and normals are those of the pixel's centre; colour is the average of

@@ -50,10 +50,12 @@ void Store(const Vec3f& v, float* values) {
 }  // namespace
 
 TileRenderer::TileRenderer(const Scene& scene, const CameraRays& camera, const Tracer& tracer,
-                           const LevelMetric& levels, const RenderOptions& options, Film* film)
+                           const Tracer& shadows, const LevelMetric& levels,
+                           const RenderOptions& options, Film* film)
     : _scene(scene),
       _camera(camera),
       _tracer(tracer),
+      _shadows(shadows),
       _levels(levels),
       _options(options),
       _film(film) {
@@ -180,7 +182,7 @@ void TileRenderer::_AddColor(const Sample& sample, float* rgba, RenderWorker* wo
         }
     }
     Vec3f radiance[kPacketSize];
-    AddDirectLight(_scene, _tracer, points, count, radiance, worker);
+    AddDirectLight(_scene, _shadows, points, count, radiance, worker);
     for (int i = 0; i < count; ++i) {
         float* pixel = rgba + 4 * lanes[i];
         pixel[0] += radiance[i].x;

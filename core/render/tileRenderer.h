@@ -14,9 +14,11 @@ namespace cc {
 /// threads may render different tiles.
 class TileRenderer {
   public:
-    /// @param levels  that the tracer was made with
+    /// @param tracer   for the camera's rays, made with the levels
+    /// @param shadows  for rays that start on what those hit
     TileRenderer(const Scene& scene, const CameraRays& camera, const Tracer& tracer,
-                 const LevelMetric& levels, const RenderOptions& options, Film* film);
+                 const Tracer& shadows, const LevelMetric& levels, const RenderOptions& options,
+                 Film* film);
 
     void Render(const Tile& tile, RenderWorker* worker) const;
 
@@ -48,6 +50,7 @@ class TileRenderer {
     const Scene& _scene;
     const CameraRays& _camera;
     const Tracer& _tracer;
+    const Tracer& _shadows;
     const LevelMetric& _levels;
     const RenderOptions& _options;
     Film* _film;

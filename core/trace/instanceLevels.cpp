@@ -4,7 +4,8 @@
 
 namespace cc {
 
-InstanceLevels::Levels InstanceLevels::_Make(const LevelMetric& metric, const Instance& instance) {
+InstanceLevels::Levels InstanceLevels::_Make(const LevelMetric& metric, const Instance& instance,
+                                             bool isRemote) {
     const PatchTable& patches = instance.surface->Patches();
     const auto adapt = [&](const auto& levels) -> Levels {
         if (patches.Count() == 0 || patches.IsCutAlike()) {
@@ -13,7 +14,7 @@ InstanceLevels::Levels InstanceLevels::_Make(const LevelMetric& metric, const In
         return levels;
     };
     if (const auto* rule = std::get_if<PixelErrorMetric>(&metric.GetRule())) {
-        return adapt(PixelErrorLevels(*rule, instance));
+        return adapt(PixelErrorLevels(isRemote ? rule->Remote() : *rule, instance));
     }
     if (const auto* rule = std::get_if<DistanceMetric>(&metric.GetRule())) {
         return adapt(DistanceLevels(*rule, instance));

@@ -13,8 +13,9 @@ namespace cc {
 /// the same level for it.
 class InstanceLevels {
   public:
-    InstanceLevels(const LevelMetric& metric, const Instance& instance)
-        : _levels(_Make(metric, instance)) {}
+    /// @param isRemote  rays start elsewhere (PixelErrorMetric::remoteError)
+    InstanceLevels(const LevelMetric& metric, const Instance& instance, bool isRemote = false)
+        : _levels(_Make(metric, instance, isRemote)) {}
 
     /// True if all patches are cut alike: where that was asked for, and on surfaces of triangles.
     bool IsUniform() const { return std::holds_alternative<UniformMetric>(_levels); }
@@ -27,7 +28,7 @@ class InstanceLevels {
 
   private:
     using Levels = std::variant<UniformMetric, PixelErrorLevels, DistanceLevels>;
-    static Levels _Make(const LevelMetric& metric, const Instance& instance);
+    static Levels _Make(const LevelMetric& metric, const Instance& instance, bool isRemote);
 
     const Levels _levels;
 };

@@ -47,6 +47,13 @@ struct PixelErrorMetric {
     LevelView view;
     float pixelError;  ///< how far quads may be from the surface in the picture, in pixels; above 0
     int finest;        ///< 0..8, the finest level, however large an error that leaves
+    /// The same for instances that no ray of a packet starts in or beside, if that is more.
+    float remoteError = 0;
+
+    /// What such instances are cut by.
+    PixelErrorMetric Remote() const {
+        return {view, std::max(pixelError, remoteError), finest, remoteError};
+    }
 };
 
 /// Patches at three levels, by their distance (DistanceLevels).
@@ -68,6 +75,11 @@ class LevelMetric {
     LevelMetric(const DistanceMetric& rule) : _rule(rule) {}  // NOLINT(google-explicit-constructor)
 
     const Rule& GetRule() const { return _rule; }
+    /// True if instances that rays start in may be finer than others.
+    bool HasRemote() const {
+        const auto* rule = std::get_if<PixelErrorMetric>(&_rule);
+        return rule && rule->remoteError > rule->pixelError;
+    }
     /// Of tracers that cut all patches alike.
     int Finest() const {
         return std::visit([](const auto& rule) { return rule.finest; }, _rule);

@@ -23,6 +23,7 @@
 #include "core/trace/patchSquare.h"
 #include "core/trace/quadWindow-inl.h"
 #include "core/trace/rayPacket.h"
+#include "core/trace/remoteRays.h"
 #include "core/trace/sharedGrids.h"
 #include "core/trace/surface.h"
 #include "core/trace/traversal-inl.h"
@@ -92,7 +93,8 @@ class PatchIntersector {
                      Rays* rays, HitPacket* hits, SharedGrids* grids, TraceStatistics* statistics)
         : _surface(*instance.surface),
           _instance(number),
-          _levels(levels, instance),
+          _isRemote(levels.HasRemote() && IsRemote(*instance.surface, rays->rays)),
+          _levels(levels, instance, _isRemote),
           _rays(*rays),
           _hits(hits),
           _grids(grids),
@@ -184,8 +186,8 @@ class PatchIntersector {
         }
         if (_grids) {
             HeldLevels& held = _grids->LevelsAt(_instance, patch);
-            if (held.instance != _instance || held.patch != patch) {
-                held = {_instance, patch, _levels.Of(patch)};
+            if (held.instance != _instance || held.patch != patch || held.isRemote != _isRemote) {
+                held = {_instance, patch, _isRemote, _levels.Of(patch)};
             }
             _patchLevels = held.levels;
         } else {
@@ -594,6 +596,7 @@ class PatchIntersector {
 
     const Surface& _surface;
     const uint32_t _instance;
+    const bool _isRemote;
     const InstanceLevels _levels;
     Rays& _rays;
     HitPacket* const _hits;

@@ -33,6 +33,7 @@ struct EvaluatedGrid {
 /// The levels of a patch of an instance.
 struct HeldLevels {
     uint32_t instance, patch;
+    bool isRemote;  ///< for rays that start elsewhere
     PatchLevels levels;
 };
 

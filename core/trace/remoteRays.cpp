@@ -1,0 +1,18 @@
+#include "core/trace/remoteRays.h"
+
+namespace cc {
+
+bool IsRemote(const Surface& surface, const ObjectRays& rays) {
+    const float margin = surface.Errors().Largest();
+    const Vec3f lower = surface.Bounds().lower - Vec3f{margin, margin, margin};
+    const Vec3f upper = surface.Bounds().upper + Vec3f{margin, margin, margin};
+    int inside = 0;
+    for (int i = 0; i < rays.count; ++i) {
+        inside += rays.originX[i] >= lower.x && rays.originX[i] <= upper.x &&
+                  rays.originY[i] >= lower.y && rays.originY[i] <= upper.y &&
+                  rays.originZ[i] >= lower.z && rays.originZ[i] <= upper.z;
+    }
+    return inside == 0;
+}
+
+}  // namespace cc
