@@ -47,7 +47,8 @@ struct PixelErrorMetric {
     LevelView view;
     float pixelError;  ///< how far quads may be from the surface in the picture, in pixels; above 0
     int finest;        ///< 0..8, the finest level, however large an error that leaves
-    /// The same for instances that no ray of a packet starts in or beside, if that is more.
+    /// The same for instances in whose bounds no ray of a packet starts, if that is more
+    /// (IsRemote).
     float remoteError = 0;
 
     /// What such instances are cut by.

