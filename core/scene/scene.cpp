@@ -84,9 +84,12 @@ std::vector<std::string> Scene::Build(const std::vector<std::string>& renderTags
     std::stable_sort(_lights.begin(), _lights.end(),
                      [](const auto& a, const auto& b) { return IsBefore(*a, *b); });
     std::vector<Mesh*> meshes;
+    const auto isAsked = [&](const std::string& tag) {
+        return renderTags.empty() ||
+               std::find(renderTags.begin(), renderTags.end(), tag) != renderTags.end();
+    };
     for (const auto& mesh : _meshes) {
-        if (mesh->_visible &&
-            std::find(renderTags.begin(), renderTags.end(), mesh->_renderTag) != renderTags.end()) {
+        if (mesh->_visible && isAsked(mesh->_renderTag)) {
             meshes.push_back(mesh.get());
         }
     }

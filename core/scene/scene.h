@@ -27,7 +27,7 @@ class Scene {
 
     /// Brings surfaces and the top level up to date, in parallel, doing only what changes ask for:
     /// topology rebuilds one mesh, points only its bounds, a transform only the top level.
-    /// @param renderTags         meshes with another tag are left out
+    /// @param renderTags         meshes with another tag are left out; without any, none is
     /// @param tessellationLevel  for TracerKind::Tessellated: what is shown is tessellated at this
     ///                           level, 0..8, unless memory does not hold that; without one the
     ///                           memory of tessellations is given back

@@ -17,6 +17,7 @@ STAGES = (
     Stage("units", test_programs.run_units, needs=("build",), quick=True),
     Stage("hydra", test_python.hydra, needs=("build",), quick=True),
     Stage("abi", test_python.abi, needs=("set-up",)),
+    Stage("blender", test_python.blender, needs=("build",)),
     Stage("commands", test_python.commands, needs=("build",)),
     Stage("images", test_python.images, needs=("build",)),
     Stage("scenes", test_python.scenes, needs=("set-up",)),

@@ -13,6 +13,11 @@ def hydra(_: Settings) -> Outcome:
     return _pytest("hydra", build.plugin_runtime(quiet=True))
 
 
+def blender(_: Settings) -> Outcome:
+    """The add-on inside Blender."""
+    return _pytest("blender", build.plugin_runtime(quiet=True))
+
+
 def commands(_: Settings) -> Outcome:
     """The commands of tools/."""
     return _pytest("commands", build.usd_runtime(quiet=True))
