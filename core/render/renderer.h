@@ -1,10 +1,10 @@
 #pragma once
 
-#include <array>
 #include <atomic>
 #include <cstdint>
 
 #include "core/render/film.h"
+#include "core/render/levelCounts.h"
 #include "core/scene/camera.h"
 #include "core/scene/scene.h"
 #include "core/trace/traceStatistics.h"
@@ -43,7 +43,7 @@ struct RenderStatistics {
     double primarySeconds = 0, shadowSeconds = 0;
     double seconds = 0;  ///< wall time of the frame
     /// The scene's patches by the level that they are cut to inside.
-    std::array<uint64_t, kFinestLevel + 1> patchesByLevel{};
+    LevelCounts patchesByLevel{};
     TraceStatistics trace;
 
     RenderStatistics& operator+=(const RenderStatistics& b) {
@@ -68,7 +68,7 @@ LevelMetric SecondaryLevels(const LevelMetric& primary, const RenderOptions& opt
 /// Renders a built scene into the planes that the film has. The result is the same for any number
 /// of threads. Ids, depths and normals are those of the pixel's centre; colour is the average of
 /// all samples. A camera that cannot show anything gives background.
-/// @param progress  pixels done, counted up while the frame renders; may be null
+/// @param progress  samples of pixels done, counted up while the frame renders; may be null
 /// @param stop      the frame is given up soon after it turns true; may be null
 /// Returns false if it was stopped.
 bool RenderFrame(const Scene& scene, const Camera& camera, const RenderOptions& options, Film* film,

@@ -64,11 +64,11 @@ TileRenderer::TileRenderer(const Scene& scene, const CameraRays& camera, const T
     }
 }
 
-void TileRenderer::Render(const Tile& tile, RenderWorker* worker) const {
+void TileRenderer::Render(const Tile& tile, SampleRange samples, TileColors* colors,
+                          RenderWorker* worker) const {
     Sample sample;
-    float rgba[4 * kPacketSize] = {};
-    const int samples = _film->Has(Aov::Color) ? std::max(_options.samples, 1) : 1;
-    for (int i = 0; i < samples; ++i) {
+    const bool hasColor = _film->Has(Aov::Color);
+    for (int i = samples.begin; i < samples.end; ++i) {
         const TraceStatistics before = worker->statistics.trace;
         _TraceSample(tile, i, &sample, worker);
         if (i == 0) {
@@ -81,15 +81,12 @@ void TileRenderer::Render(const Tile& tile, RenderWorker* worker) const {
                 }
             }
         }
-        if (_film->Has(Aov::Color)) {
-            _AddColor(sample, rgba, worker);
+        if (hasColor) {
+            _AddColor(sample, colors->data(), worker);
         }
     }
-    if (_film->Has(Aov::Color)) {
-        for (float& value : rgba) {
-            value /= static_cast<float>(samples);
-        }
-        _WriteColor(tile, rgba);
+    if (hasColor) {
+        _WriteColor(tile, *colors, samples.end);
     }
 }
 
@@ -192,11 +189,12 @@ void TileRenderer::_AddColor(const Sample& sample, float* rgba, RenderWorker* wo
     }
 }
 
-void TileRenderer::_WriteColor(const Tile& tile, const float* rgba) const {
+void TileRenderer::_WriteColor(const Tile& tile, const TileColors& colors, int samples) const {
     float* plane = _film->Floats(Aov::Color);
     for (int lane = 0; lane < tile.width * tile.height; ++lane) {
-        std::copy(rgba + 4 * lane, rgba + 4 * lane + 4,
-                  plane + 4 * PixelOf(tile, lane, _film->Width()));
+        const float* sum = colors.data() + 4 * size_t(lane);
+        std::transform(sum, sum + 4, plane + 4 * PixelOf(tile, lane, _film->Width()),
+                       [&](float value) { return value / static_cast<float>(samples); });
     }
 }
 

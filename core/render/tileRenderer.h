@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "core/render/cameraRays.h"
 #include "core/render/film.h"
 #include "core/render/renderWorker.h"
@@ -9,6 +11,15 @@
 #include "core/trace/tracer.h"
 
 namespace cc {
+
+/// Of a tile's pixels, row by row from the lower left: the sum of the samples so far, red, green,
+/// blue and coverage.
+using TileColors = std::array<float, 4 * kTileSize * kTileSize>;
+
+/// Some of a pixel's samples, from `begin` to before `end`.
+struct SampleRange {
+    int begin, end;
+};
 
 /// Renders tiles into a film, one packet of rays a sample. Tiles do not share pixels: different
 /// threads may render different tiles.
@@ -20,7 +31,11 @@ class TileRenderer {
                  const Tracer& shadows, const LevelMetric& levels, const RenderOptions& options,
                  Film* film);
 
-    void Render(const Tile& tile, RenderWorker* worker) const;
+    /// Adds samples to those before, and shows the sum in the film. The first sample also fills all
+    /// planes but colour.
+    /// @param colors  what the samples before `samples.begin` summed up to
+    void Render(const Tile& tile, SampleRange samples, TileColors* colors,
+                RenderWorker* worker) const;
 
   private:
     /// Rays through the pixels of a tile, row by row from the lower left, and what they hit.
@@ -39,7 +54,7 @@ class TileRenderer {
     MeshPoint _PointOf(const HitPacket& hits, int lane) const;
     ShadingPoint _Shade(const Sample& sample, int lane) const;
     void _AddColor(const Sample& sample, float* rgba, RenderWorker* worker) const;
-    void _WriteColor(const Tile& tile, const float* rgba) const;
+    void _WriteColor(const Tile& tile, const TileColors& colors, int samples) const;
     void _WriteSurface(const Tile& tile, const Sample& sample) const;
     void _WriteLevels(const Tile& tile, const Sample& sample) const;
     /// @param before  what the worker had counted before the sample

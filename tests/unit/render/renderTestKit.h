@@ -10,6 +10,10 @@
 
 namespace cc::test {
 
+inline const std::vector<Aov> kAllAovs = {Aov::Color,  Aov::Depth,      Aov::CameraDepth,
+                                          Aov::PrimId, Aov::InstanceId, Aov::ElementId,
+                                          Aov::Normal, Aov::Neye};
+
 inline AffineTransform Placed(double scale, double x, double y, double z) {
     return AffineTransform({{{scale, 0, 0, x}, {0, scale, 0, y}, {0, 0, scale, z}}});
 }
@@ -71,6 +75,24 @@ inline Camera CameraAt(double z) {
     camera.clipNear = 0.1f;
     camera.clipFar = 100;
     return camera;
+}
+
+inline void AddHeadlight(Scene* scene) {
+    Light* light = scene->AddLight();
+    light->direction = {0, 0, -1};
+    light->power = {3.14159265f, 3.14159265f, 3.14159265f};
+}
+
+/// All bits of a film.
+inline std::string Bits(const Film& film) {
+    std::string bits;
+    const size_t pixels = size_t(film.Width()) * film.Height();
+    for (const Aov& aov : film.Aovs()) {
+        const void* plane =
+            LayoutOf(aov).isInteger ? static_cast<const void*>(film.Ints(aov)) : film.Floats(aov);
+        bits.append(static_cast<const char*>(plane), 4 * pixels * LayoutOf(aov).components);
+    }
+    return bits;
 }
 
 }  // namespace cc::test

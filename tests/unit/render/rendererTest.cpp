@@ -10,9 +10,6 @@
 namespace cc::test {
 namespace {
 
-const std::vector<Aov> kAllAovs = {Aov::Color,      Aov::Depth,     Aov::CameraDepth, Aov::PrimId,
-                                   Aov::InstanceId, Aov::ElementId, Aov::Normal,      Aov::Neye};
-
 RenderOptions Options(int samples = 1, int threads = 1, int seed = 0) {
     RenderOptions options;
     options.samples = samples;
@@ -28,24 +25,6 @@ Film Render(Scene* scene, const Camera& camera, const RenderOptions& options = O
     RenderStatistics statistics;
     EXPECT_TRUE(RenderFrame(*scene, camera, options, &film, &statistics, nullptr, nullptr));
     return film;
-}
-
-void AddHeadlight(Scene* scene) {
-    Light* light = scene->AddLight();
-    light->direction = {0, 0, -1};
-    light->power = {3.14159265f, 3.14159265f, 3.14159265f};
-}
-
-/// All bits of a film.
-std::string Bits(const Film& film) {
-    std::string bits;
-    const size_t pixels = size_t(film.Width()) * film.Height();
-    for (const Aov& aov : film.Aovs()) {
-        const void* plane =
-            LayoutOf(aov).isInteger ? static_cast<const void*>(film.Ints(aov)) : film.Floats(aov);
-        bits.append(static_cast<const char*>(plane), 4 * pixels * LayoutOf(aov).components);
-    }
-    return bits;
 }
 
 TEST(RenderFrame, PrimvarsAreThoseOfTheMeshThatIsSeen) {
@@ -254,7 +233,7 @@ TEST(RenderFrame, CountsRaysAndProgress) {
     std::atomic<int64_t> progress{5};
     ASSERT_TRUE(
         RenderFrame(scene, CameraAt(2), Options(3), &film, &statistics, &progress, nullptr));
-    EXPECT_EQ(progress, 5 + 19 * 13);
+    EXPECT_EQ(progress, 5 + 3 * 19 * 13);
     EXPECT_EQ(statistics.primaryRays, 3u * 19 * 13);
     EXPECT_EQ(statistics.shadowRays, 3u * 19 * 13);
     EXPECT_EQ(statistics.trace.rays, 6u * 19 * 13);

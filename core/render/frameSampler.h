@@ -1,0 +1,75 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/render/cameraRays.h"
+#include "core/render/film.h"
+#include "core/render/levelCounts.h"
+#include "core/render/renderer.h"
+#include "core/render/tileOrder.h"
+#include "core/render/tileRenderer.h"
+
+namespace cc {
+
+/// What the pixels of each tile have gathered so far, so that more samples can be added later.
+class SampleSums {
+  public:
+    explicit SampleSums(size_t tiles) : _counts(tiles), _colors(tiles) {}
+
+    /// Samples a pixel.
+    int& Count(size_t tile) { return _counts[tile]; }
+    TileColors& Colors(size_t tile) { return _colors[tile]; }
+
+  private:
+    std::vector<int> _counts;
+    std::vector<TileColors> _colors;
+};
+
+/// Renders samples of a film's pixels on many threads: what a frame in one go and the passes of a
+/// progressive one share. Pixels do not depend on how samples are spread over calls, nor on the
+/// number of threads.
+class FrameSampler {
+  public:
+    /// @param scene  built; it must rest while samples are rendered, and outlive this, as the film
+    ///               must
+    FrameSampler(const Scene& scene, const Camera& camera, const RenderOptions& options,
+                 Film* film);
+    FrameSampler(const FrameSampler&) = delete;
+    FrameSampler& operator=(const FrameSampler&) = delete;
+
+    /// False if the camera cannot show anything: there are no tiles then.
+    bool IsValid() const { return _cameraRays.IsValid(); }
+    size_t TileCount() const { return _tiles.size(); }
+    /// What a pixel gets in the end: all but colour needs only one.
+    int SamplesPerPixel() const { return _samplesPerPixel; }
+
+    /// Renders what each pixel lacks of a number of samples.
+    /// @param samples   1 to SamplesPerPixel()
+    /// @param sums      a place a tile, for calls to come; null if there are none
+    /// @param progress  samples done, counted up; may be null
+    /// @param stop      tiles not begun are left out once it turns true; may be null
+    /// Returns false if tiles are left.
+    bool Render(int samples, SampleSums* sums, RenderStatistics* statistics,
+                std::atomic<int64_t>* progress, const std::atomic<bool>* stop) const;
+
+    /// Patches of all instances by level. Wrong if stopped.
+    LevelCounts CountLevels(const std::atomic<bool>* stop) const;
+
+  private:
+    void _RenderTile(size_t tile, int samples, SampleSums* sums, RenderWorker* worker,
+                     std::atomic<int64_t>* progress) const;
+
+    const Scene& _scene;
+    RenderOptions _options;
+    CameraRays _cameraRays;
+    LevelMetric _levels;
+    std::unique_ptr<Tracer> _tracer, _shadows;
+    std::unique_ptr<TileRenderer> _renderer;
+    std::vector<Tile> _tiles;
+    int _samplesPerPixel = 1;
+};
+
+}  // namespace cc
