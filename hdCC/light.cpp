@@ -94,10 +94,9 @@ void HdCCLight::Sync(HdSceneDelegate *delegate, HdRenderParam *param, HdDirtyBit
 }
 
 void HdCCLight::Finalize(HdRenderParam *param) {
-    HdCCRenderParam *const shared = static_cast<HdCCRenderParam *>(param);
     if (_light) {
-        shared->GetScene()->RemoveLight(_light);
-        shared->MarkSceneChanged();
+        const HdCCRenderParam::SyncScope scope(param);
+        static_cast<HdCCRenderParam *>(param)->GetScene()->RemoveLight(_light);
         _light = nullptr;
     }
     HdLight::Finalize(param);

@@ -208,16 +208,16 @@ void HdCCMesh::_SyncInstances(HdSceneDelegate *delegate) {
 }
 
 void HdCCMesh::UpdateRenderTag(HdSceneDelegate *delegate, HdRenderParam *param) {
+    const HdCCRenderParam::SyncScope scope(param);
     HdMesh::UpdateRenderTag(delegate, param);
     _mesh->SetRenderTag(GetRenderTag().GetString());
-    static_cast<HdCCRenderParam *>(param)->MarkSceneChanged();
 }
 
 void HdCCMesh::Finalize(HdRenderParam *param) {
+    const HdCCRenderParam::SyncScope scope(param);
     HdCCRenderParam *const shared = static_cast<HdCCRenderParam *>(param);
     shared->RemoveMesh(this);
     shared->GetScene()->RemoveMesh(_mesh);
-    shared->MarkSceneChanged();
     _mesh = nullptr;
     HdMesh::Finalize(param);
 }

@@ -95,37 +95,59 @@ static bool _ReadTexel(VtValue const &value, _Texel *texel) {
            _ReadVector<GfVec4d>(value, texel);
 }
 
-static uint8_t const *_Plane(cc::Film const &film, cc::Aov const &aov) {
-    return film.Layout(aov).isInteger ? reinterpret_cast<uint8_t const *>(film.Ints(aov))
-                                      : reinterpret_cast<uint8_t const *>(film.Floats(aov));
-}
+namespace {
 
-static _Texel _FilmTexel(cc::Film const &film, cc::Aov const &aov, size_t pixel) {
-    const cc::AovLayout layout = film.Layout(aov);
-    _Texel texel{0, 0, 0, 1};
-    for (int i = 0; i < layout.components; ++i) {
-        const size_t at = pixel * layout.components + i;
-        texel[i] = layout.isInteger ? double(film.Ints(aov)[at]) : double(film.Floats(aov)[at]);
+/// A plane of a film, looked up once.
+class _Source {
+  public:
+    _Source(cc::Film const &film, cc::Aov const &aov)
+        : _floats(film.Floats(aov)),
+          _ints(film.Ints(aov)),
+          _components(film.Layout(aov).components),
+          _isColor(aov == cc::Aov::Color),
+          _coverage(film.Coverage(aov)),
+          _primIds(aov == cc::Aov::Color ? nullptr : film.Ints(cc::Aov::PrimId)) {}
+
+    uint8_t const *Bytes() const {
+        return _ints ? reinterpret_cast<uint8_t const *>(_ints)
+                     : reinterpret_cast<uint8_t const *>(_floats);
     }
-    return texel;
-}
 
-/// What shows in place of the clear value at a pixel of the film.
-static _Texel _Over(cc::Film const &film, cc::Aov const &aov, size_t pixel, _Texel const &clear) {
-    _Texel texel = _FilmTexel(film, aov, pixel);
-    if (aov == cc::Aov::Color) {
-        const double uncovered = 1 - texel[3];
-        for (int i = 0; i < 4; ++i) {
-            texel[i] += uncovered * clear[i];
+    _Texel At(size_t pixel) const {
+        _Texel texel{0, 0, 0, 1};
+        for (int i = 0; i < _components; ++i) {
+            const size_t at = pixel * _components + i;
+            texel[i] = _ints ? double(_ints[at]) : double(_floats[at]);
         }
         return texel;
     }
-    if (aov.kind == cc::Aov::Primvar) {
-        return film.Coverage(aov)[pixel] != 0 ? texel : clear;
+
+    /// What shows in place of the clear value.
+    _Texel Over(size_t pixel, _Texel const &clear) const {
+        _Texel texel = At(pixel);
+        if (_isColor) {
+            const double uncovered = 1 - texel[3];
+            for (int i = 0; i < 4; ++i) {
+                texel[i] += uncovered * clear[i];
+            }
+            return texel;
+        }
+        if (_coverage) {
+            return _coverage[pixel] != 0 ? texel : clear;
+        }
+        return _primIds && _primIds[pixel] < 0 ? clear : texel;
     }
-    const bool isBackground = film.Has(cc::Aov::PrimId) && film.Ints(cc::Aov::PrimId)[pixel] < 0;
-    return isBackground ? clear : texel;
-}
+
+  private:
+    float const *_floats;
+    int32_t const *_ints;
+    int _components;
+    bool _isColor;
+    uint8_t const *_coverage;
+    int32_t const *_primIds;
+};
+
+}  // namespace
 
 static HdFormat _FormatOf(cc::AovLayout const &layout) {
     const HdFormat first = layout.isInteger ? HdFormatInt32 : HdFormatFloat32;
@@ -134,7 +156,7 @@ static HdFormat _FormatOf(cc::AovLayout const &layout) {
 
 /// Whether the clear value is what a new film holds, so that there is nothing to mix.
 static bool _IsBackground(cc::Aov const &aov, _Texel const &clear) {
-    const _Texel background = _FilmTexel(cc::Film(1, 1, {aov}), aov, 0);
+    const _Texel background = _Source(cc::Film(1, 1, {aov}), aov).At(0);
     const int components = cc::LayoutOf(aov).components;
     return std::equal(background.begin(), background.begin() + components, clear.begin());
 }
@@ -162,7 +184,8 @@ bool HdCCRenderBuffer::Allocate(GfVec3i const &dimensions, HdFormat format, bool
 }
 
 void HdCCRenderBuffer::_Deallocate() {
-    ++_version;
+    static std::atomic<int> versions{0};
+    _version = ++versions;
     _width = _height = 0;
     _format = HdFormatInvalid;
     _pixels.clear();
@@ -204,19 +227,20 @@ void HdCCRenderBuffer::Write(cc::Film const &film, cc::Aov const &aov, GfVec2i c
 
     const int x0 = std::max(0, -corner[0]), x1 = std::min(film.Width(), int(_width) - corner[0]);
     const int y0 = std::max(0, -corner[1]), y1 = std::min(film.Height(), int(_height) - corner[1]);
+    const _Source source(film, aov);
     const bool isPlainCopy = !hasClear && _format == _FormatOf(film.Layout(aov)) && x0 < x1;
     for (int y = y0; y < y1; ++y) {
         if (isPlainCopy) {
             const size_t from = (size_t(y) * film.Width() + x0) * size;
             const size_t to = (size_t(y + corner[1]) * _width + (x0 + corner[0])) * size;
-            std::memcpy(_pixels.data() + to, _Plane(film, aov) + from, (x1 - x0) * size);
+            std::memcpy(_pixels.data() + to, source.Bytes() + from, (x1 - x0) * size);
             continue;
         }
         for (int x = x0; x < x1; ++x) {
             const size_t pixel = size_t(y) * film.Width() + x;
             const size_t at = size_t(y + corner[1]) * _width + (x + corner[0]);
             _StoreTexel(componentFormat, count, _pixels.data() + at * size,
-                        hasClear ? _Over(film, aov, pixel, clear) : _FilmTexel(film, aov, pixel));
+                        hasClear ? source.Over(pixel, clear) : source.At(pixel));
         }
     }
 }

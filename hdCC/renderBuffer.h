@@ -33,7 +33,7 @@ class HdCCRenderBuffer final : public HdRenderBuffer {
     bool IsConverged() const override { return _converged; }
     void SetConverged(bool converged) { _converged = converged; }
 
-    /// Goes up whenever the pixels are lost.
+    /// Another one whenever the pixels are lost, which no other buffer has had.
     int GetVersion() const { return _version; }
 
     /// Fills the buffer with a value of numbers; an empty value leaves it as it is.

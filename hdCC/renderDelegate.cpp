@@ -108,10 +108,36 @@ void HdCCRenderDelegate::HeedSceneSettings(SdfPath const &prim) {
     }
 }
 
+// ---- Control ----
+
+bool HdCCRenderDelegate::IsPaused() const { return _param.GetRenderThread().IsPaused(); }
+
+bool HdCCRenderDelegate::Pause() {
+    _param.GetRenderThread().Pause();
+    return true;
+}
+
+bool HdCCRenderDelegate::Resume() {
+    _param.GetRenderThread().Resume();
+    return true;
+}
+
+bool HdCCRenderDelegate::IsStopped() const { return _param.GetRenderThread().IsStopped(); }
+
+bool HdCCRenderDelegate::Stop(bool blocking) {
+    _param.GetRenderThread().Stop(blocking);
+    return true;
+}
+
+bool HdCCRenderDelegate::Restart() {
+    _param.GetRenderThread().Restart();
+    return true;
+}
+
 // ---- Questions and commands ----
 
 VtDictionary HdCCRenderDelegate::GetRenderStats() const {
-    const int64_t done = _param.pixelsDone, total = _param.pixelsTotal;
+    const int64_t done = _param.samplesDone, total = _param.samplesTotal, pixels = _param.pixels;
     const double fraction = total > 0 ? double(done) / double(total) : 0.0;
 
     const HdCCFrame none;
@@ -119,8 +145,8 @@ VtDictionary HdCCRenderDelegate::GetRenderStats() const {
     VtDictionary stats = HdCCRenderStats(frame ? *frame : none);
     stats["fractionDone"] = VtValue(fraction);
     stats["percentDone"] = VtValue(100 * fraction);
-    stats["pixelsDone"] = VtValue(done);
-    stats["pixelsTotal"] = VtValue(total);
+    stats["pixelsDone"] = VtValue(int64_t(fraction * double(pixels)));
+    stats["pixelsTotal"] = VtValue(pixels);
     return stats;
 }
 
@@ -177,6 +203,7 @@ HdInstancer *HdCCRenderDelegate::CreateInstancer(HdSceneDelegate *delegate, SdfP
 void HdCCRenderDelegate::DestroyInstancer(HdInstancer *instancer) { delete instancer; }
 
 HdRprim *HdCCRenderDelegate::CreateRprim(TfToken const &type, SdfPath const &id) {
+    const HdCCRenderParam::SyncScope scope(&_param);
     return type == "mesh" ? new HdCCMesh(id, &_param) : nullptr;
 }
 

@@ -37,6 +37,24 @@ class HdCCRenderDelegate final : public HdRenderDelegate {
     /// Makes the settings of a prim those that hold where SetRenderSetting has said nothing.
     void HeedSceneSettings(SdfPath const &prim);
 
+    /// @name Control of the frame that renders in the background
+    /// All may be called at any time. Who waits for a picture to converge waits for Resume too, but
+    /// not for Restart: what is stopped is converged.
+    /// @{
+    bool IsPauseSupported() const override { return true; }
+    bool IsPaused() const override;
+    /// Holds whatever renders in the background, until Resume; edits show a coarse picture.
+    bool Pause() override;
+    bool Resume() override;
+    bool IsStopSupported() const override { return true; }
+    /// True if nothing renders in the background.
+    bool IsStopped() const override;
+    /// Leaves the frame as it is, until Restart or an edit.
+    bool Stop(bool blocking = true) override;
+    /// Goes on with the frame where it was left.
+    bool Restart() override;
+    /// @}
+
     /// May be called from any thread, while a frame renders too.
     VtDictionary GetRenderStats() const override;
     HdCommandDescriptors GetCommandDescriptors() const override;

@@ -11,7 +11,9 @@ PXR_NAMESPACE_OPEN_SCOPE
 using _Clock = std::chrono::steady_clock;
 
 HdCCRenderParam::SyncScope::SyncScope(HdRenderParam *param)
-    : _param(static_cast<HdCCRenderParam *>(param)), _begin(_Clock::now()) {}
+    : _param(static_cast<HdCCRenderParam *>(param)), _begin(_Clock::now()) {
+    _param->_renderThread.Abandon();
+}
 
 HdCCRenderParam::SyncScope::~SyncScope() {
     const _Clock::time_point end = _Clock::now();
@@ -19,7 +21,7 @@ HdCCRenderParam::SyncScope::~SyncScope() {
     _param->_syncBegin = _param->_synced ? std::min(_param->_syncBegin, _begin) : _begin;
     _param->_syncEnd = _param->_synced ? std::max(_param->_syncEnd, end) : end;
     _param->_synced = true;
-    _param->MarkSceneChanged();
+    ++_param->_sceneVersion;
 }
 
 double HdCCRenderParam::TakeSyncSeconds() {

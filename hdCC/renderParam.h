@@ -16,29 +16,34 @@
 #include "pxr/imaging/hd/renderDelegate.h"
 #include "pxr/pxr.h"
 
+#include "hdCC/renderThread.h"
+
 PXR_NAMESPACE_OPEN_SCOPE
 
 class HdCCMesh;
 
-/// A frame that is done: its pixels and what it took.
+/// A picture and what it took.
 struct HdCCFrame {
     cc::Film film;
+    int samples = 0;      ///< that pixels have got; 0 if it is made of blocks
+    bool isDone = false;  ///< no better picture of the frame will come
     cc::RenderOptions options;
     cc::RenderStatistics statistics;
     cc::Scene::Statistics scene;
     double syncSeconds = 0;
 };
 
-/// What the prims, the render pass and the delegate share: the scene, and the last frame.
+/// What the prims, the render passes and the delegate share: the scene, the thread that renders
+/// it, and the last frame.
 class HdCCRenderParam final : public HdRenderParam {
   public:
     cc::Scene *GetScene() { return &_scene; }
 
     /// Goes up with every change that the next picture shows.
     int GetSceneVersion() const { return _sceneVersion; }
-    void MarkSceneChanged() { ++_sceneVersion; }
 
-    /// Put one into every Sync: it marks the scene as changed and measures the phase.
+    /// Put one before whatever edits the scene, as every Sync does: it makes a frame that renders
+    /// let go of the scene, marks that as changed, and measures the phase.
     class SyncScope {
       public:
         explicit SyncScope(HdRenderParam *param);
@@ -64,12 +69,15 @@ class HdCCRenderParam final : public HdRenderParam {
     /// What AskForPrimvar was called for.
     TfTokenVector GetPrimvarsAskedFor() const;
 
-    /// The last frame that is done; null before the first and while the next one renders.
+    /// Renders in the background. Whoever changes what it reads abandons its job first.
+    HdCCRenderThread &GetRenderThread() { return _renderThread; }
+
+    /// The picture that was shown last; null before the first, and while a frame renders in one go.
     std::shared_ptr<const HdCCFrame> GetFrame() const;
     void SetFrame(std::shared_ptr<const HdCCFrame> frame);
 
-    /// Pixels done and to do in the frame that renders, or of the last one.
-    std::atomic<int64_t> pixelsDone{0}, pixelsTotal{0};
+    /// Pixels of the frame that renders, or of the last one, and samples done and to do.
+    std::atomic<int64_t> pixels{0}, samplesDone{0}, samplesTotal{0};
 
   private:
     cc::Scene _scene;
@@ -82,6 +90,8 @@ class HdCCRenderParam final : public HdRenderParam {
     std::set<HdCCMesh *> _meshes;
     TfTokenVector _primvars;
     std::shared_ptr<const HdCCFrame> _frame;
+    /// The last member: it ends first, as it reads the others.
+    HdCCRenderThread _renderThread;
 };
 
 PXR_NAMESPACE_CLOSE_SCOPE

@@ -6,11 +6,13 @@
 #include <optional>
 
 #include "pxr/base/tf/diagnostic.h"
+#include "pxr/base/tf/staticTokens.h"
 #include "pxr/imaging/hd/camera.h"
 #include "pxr/imaging/hd/renderIndex.h"
 #include "pxr/imaging/hd/sceneIndex.h"
 #include "pxr/imaging/hd/utils.h"
 
+#include "hdCC/backgroundFrame.h"
 #include "hdCC/convert.h"
 #include "hdCC/renderDelegate.h"
 #include "hdCC/renderParam.h"
@@ -18,9 +20,18 @@
 
 PXR_NAMESPACE_OPEN_SCOPE
 
+TF_DEFINE_PRIVATE_TOKENS(_tokens, (enableInteractive));
+
 HdCCRenderPass::HdCCRenderPass(HdRenderIndex *index, HdRprimCollection const &collection,
                                HdCCRenderDelegate *delegate)
     : HdRenderPass(index, collection), _delegate(delegate), _param(delegate->GetSharedParam()) {}
+
+HdCCRenderPass::~HdCCRenderPass() { _param->GetRenderThread().Abandon(this); }
+
+bool HdCCRenderPass::IsConverged() const {
+    // What was stopped may have been restarted since.
+    return _converged && (!_backgroundFrame || _param->GetRenderThread().IsStopped());
+}
 
 bool HdCCRenderPass::_Target::operator==(_Target const &b) const {
     return aov == b.aov && buffer == b.buffer && bufferVersion == b.bufferVersion &&
@@ -46,27 +57,36 @@ void HdCCRenderPass::_Execute(HdRenderPassStateSharedPtr const &state,
         _param->WarnOnce(picture.cameraId,
                          "depth of field is not supported yet; everything is in focus");
     }
-    if (_converged && picture == _picture) {
-        return;
-    }
+    const bool isInteractive = _delegate->GetRenderSetting(_tokens->enableInteractive, true);
+    const bool isNew = !_hasBegun || picture != _picture || _IsFrameLost();
     _picture = std::move(picture);
-    _converged = false;
-    for (_Target const &target : _picture.targets) {
-        target.buffer->SetConverged(false);
-    }
-    try {
-        if (!_Render()) {
-            _ClearAll();
+    if (isNew) {
+        _hasBegun = false;
+        _backgroundFrame.reset();
+        _shown.reset();
+        _SetConverged(false);
+        if (isInteractive && !_param->GetRenderThread().IsTurnOf(this)) {
+            return;
         }
-    } catch (std::exception const &e) {
-        TF_RUNTIME_ERROR("the frame was given up: %s", e.what());
-        _ClearAll();
+        _Begin(isInteractive);
+        _hasBegun = true;
     }
-    // Pixels first: applications read a buffer as soon as it says that it is done.
+    if (_backgroundFrame) {
+        _ShowNewest();
+    }
+}
+
+/// Another pass's frame, or an edit that shows nothing new, has ended this one before its time.
+bool HdCCRenderPass::_IsFrameLost() const {
+    return _backgroundFrame && !_param->GetRenderThread().HasJobOf(this) &&
+           !_backgroundFrame->GetNewest()->isDone && _backgroundFrame->GetError().empty();
+}
+
+void HdCCRenderPass::_SetConverged(bool isConverged) {
     for (_Target const &target : _picture.targets) {
-        target.buffer->SetConverged(true);
+        target.buffer->SetConverged(isConverged);
     }
-    _converged = true;
+    _converged = isConverged;
 }
 
 /// The data window, which Hydra counts from the top, in rows from the bottom; else the viewport,
@@ -182,16 +202,14 @@ bool HdCCRenderPass::_MakeCamera(GfRect2i const &visible, cc::Camera *camera) co
     return true;
 }
 
-/// Returns false if there is nothing to render, having said why.
-bool HdCCRenderPass::_Render() {
-    _param->SetFrame(nullptr);
-    const GfRect2i visible = _VisibleWindow();
+/// Makes the scene and the camera ready. Returns false if there is nothing to render, having said
+/// why.
+bool HdCCRenderPass::_Prepare(GfRect2i const &visible, HdCCFrame *frame, cc::Camera *camera) {
     if (visible.IsEmpty()) {
         TF_WARN("there are no pixels to render: the picture or its data window is empty");
         return false;
     }
-    cc::Camera camera;
-    if (!_MakeCamera(visible, &camera)) {
+    if (!_MakeCamera(visible, camera)) {
         TF_WARN(
             "<%s>: there is no camera, or its transform, aperture or clipping range is "
             "singular; the picture is empty",
@@ -199,7 +217,6 @@ bool HdCCRenderPass::_Render() {
         return false;
     }
 
-    const auto frame = std::make_shared<HdCCFrame>();
     frame->syncSeconds = _param->TakeSyncSeconds();
     std::vector<std::string> tags;
     for (TfToken const &tag : _picture.renderTags) {
@@ -214,27 +231,94 @@ bool HdCCRenderPass::_Render() {
         TF_WARN("%s", warning.c_str());
     }
     frame->scene = _param->GetScene()->GetStatistics();
-    frame->film = cc::Film(visible.GetWidth(), visible.GetHeight(), _FilmAovs());
-
-    _param->pixelsDone = 0;
-    _param->pixelsTotal = int64_t(visible.GetWidth()) * visible.GetHeight();
-    cc::RenderFrame(*_param->GetScene(), camera, frame->options, &frame->film, &frame->statistics,
-                    &_param->pixelsDone, nullptr);
-    _param->pixelsDone = _param->pixelsTotal.load();
-
-    _Publish(*frame, visible.GetMin());
-    _param->SetFrame(frame);
     return true;
 }
 
-void HdCCRenderPass::_Publish(HdCCFrame const &frame, GfVec2i const &corner) {
+/// Begins a frame, once all that renders has let go of the scene.
+void HdCCRenderPass::_Begin(bool isInteractive) {
+    _param->GetRenderThread().Abandon();
+    _param->SetFrame(nullptr);
+    const GfRect2i visible = _VisibleWindow();
+    HdCCFrame made;
+    cc::Camera camera;
+    try {
+        if (!_Prepare(visible, &made, &camera)) {
+            _GiveUp();
+        } else if (isInteractive) {
+            _RenderInBackground(visible, camera, std::move(made));
+        } else {
+            _RenderWhole(visible, camera, std::move(made));
+        }
+    } catch (std::exception const &e) {
+        TF_RUNTIME_ERROR("the frame was given up: %s", e.what());
+        _GiveUp();
+    }
+}
+
+void HdCCRenderPass::_RenderWhole(GfRect2i const &visible, cc::Camera const &camera,
+                                  HdCCFrame made) {
+    const auto frame = std::make_shared<HdCCFrame>(std::move(made));
+    frame->film = cc::Film(visible.GetWidth(), visible.GetHeight(), _FilmAovs());
+    _BeginProgress(*frame, frame->film);
+    cc::RenderFrame(*_param->GetScene(), camera, frame->options, &frame->film, &frame->statistics,
+                    &_param->samplesDone, nullptr);
+    _param->samplesDone = _param->samplesTotal.load();
+    frame->samples = frame->film.Has(cc::Aov::Color) ? frame->options.samples : 1;
+    frame->isDone = true;
+    _Publish(frame);
+    _SetConverged(true);
+}
+
+void HdCCRenderPass::_RenderInBackground(GfRect2i const &visible, cc::Camera const &camera,
+                                         HdCCFrame made) {
+    const auto frame = std::make_shared<HdCCBackgroundFrame>(
+        *_param->GetScene(), camera, std::move(made), visible.GetWidth(), visible.GetHeight(),
+        _FilmAovs(), &_param->samplesDone);
+    const std::shared_ptr<const HdCCFrame> first = frame->GetNewest();
+    _BeginProgress(*first, first->film);
+    _param->GetRenderThread().Start(
+        this, [frame](std::atomic<bool> const &stop) { return frame->RenderPass(stop); });
+    _backgroundFrame = frame;
+}
+
+void HdCCRenderPass::_BeginProgress(HdCCFrame const &frame, cc::Film const &film) {
+    const int64_t pixels = int64_t(film.Width()) * film.Height();
+    _param->pixels = pixels;
+    _param->samplesDone = 0;
+    _param->samplesTotal = pixels * (film.Has(cc::Aov::Color) ? frame.options.samples : 1);
+}
+
+/// Shows the newest picture of a frame in the background, and whether it is the last.
+void HdCCRenderPass::_ShowNewest() {
+    const std::string error = _backgroundFrame->GetError();
+    if (!error.empty()) {
+        TF_RUNTIME_ERROR("the frame was given up: %s", error.c_str());
+        _backgroundFrame.reset();
+        _GiveUp();
+        return;
+    }
+    // Asked first: once stopped, no newer picture comes.
+    const bool isStopped = _param->GetRenderThread().IsStopped();
+    const std::shared_ptr<const HdCCFrame> newest = _backgroundFrame->GetNewest();
+    if (newest != _shown) {
+        _Publish(newest);
+        _shown = newest;
+    }
+    if (newest->isDone) {
+        _backgroundFrame.reset();
+    }
+    _SetConverged(newest->isDone || isStopped);
+}
+
+void HdCCRenderPass::_Publish(std::shared_ptr<const HdCCFrame> const &frame) {
+    const GfVec2i corner = _VisibleWindow().GetMin();
     for (_Target const &target : _picture.targets) {
         HdCCRenderBuffer &buffer = *target.buffer;
         cc::Aov aov;
         const bool isSupported = cc::AovFromName(target.aov.GetString(), &aov);
         const bool isCovered = corner == GfVec2i(0) &&
-                               int(buffer.GetWidth()) == frame.film.Width() &&
-                               int(buffer.GetHeight()) == frame.film.Height();
+                               int(buffer.GetWidth()) == frame->film.Width() &&
+                               int(buffer.GetHeight()) == frame->film.Height();
         if (!isSupported) {
             _param->WarnOnce(buffer.GetId(), "the AOV '" + target.aov.GetString() +
                                                  "' is not supported; it is left clear");
@@ -243,15 +327,19 @@ void HdCCRenderPass::_Publish(HdCCFrame const &frame, GfVec2i const &corner) {
             buffer.Clear(target.clearValue);
         }
         if (isSupported) {
-            buffer.Write(frame.film, aov, corner, target.clearValue);
+            buffer.Write(frame->film, aov, corner, target.clearValue);
         }
     }
+    _param->SetFrame(frame);
 }
 
-void HdCCRenderPass::_ClearAll() {
+/// Leaves the buffers clear, and converges.
+void HdCCRenderPass::_GiveUp() {
+    _param->samplesDone = _param->samplesTotal.load();
     for (_Target const &target : _picture.targets) {
         target.buffer->Clear(target.clearValue);
     }
+    _SetConverged(true);
 }
 
 PXR_NAMESPACE_CLOSE_SCOPE

@@ -1,6 +1,7 @@
 #ifndef HDCC_RENDER_PASS_H
 #define HDCC_RENDER_PASS_H
 
+#include <memory>
 #include <vector>
 
 #include "core/scene/camera.h"
@@ -18,19 +19,24 @@
 
 PXR_NAMESPACE_OPEN_SCOPE
 
+class HdCCBackgroundFrame;
 class HdCCRenderDelegate;
 class HdCCRenderParam;
 struct HdCCFrame;
 
-/// Renders a frame whole inside Execute, if anything that it shows has changed.
+/// Renders a frame if anything that it shows has changed: whole inside Execute if the application
+/// says that it is not interactive, else in the background, and Execute shows what is there.
 ///
-/// Whatever is wrong with camera, buffers or scene, the pass is converged when Execute returns.
+/// Whatever is wrong with camera, buffers or scene, the pass converges. Buffers are written inside
+/// Execute only.
 class HdCCRenderPass final : public HdRenderPass {
   public:
     HdCCRenderPass(HdRenderIndex *index, HdRprimCollection const &collection,
                    HdCCRenderDelegate *delegate);
 
-    bool IsConverged() const override { return _converged; }
+    ~HdCCRenderPass() override;
+
+    bool IsConverged() const override;
 
   protected:
     void _Execute(HdRenderPassStateSharedPtr const &state,
@@ -60,6 +66,7 @@ class HdCCRenderPass final : public HdRenderPass {
         std::vector<_Target> targets;
 
         bool operator==(_Picture const &b) const;
+        bool operator!=(_Picture const &b) const { return !(*this == b); }
     };
 
     _Picture _Describe(HdRenderPassStateSharedPtr const &state,
@@ -69,14 +76,25 @@ class HdCCRenderPass final : public HdRenderPass {
     /// After the scene was built.
     std::vector<cc::Aov> _FilmAovs() const;
     bool _MakeCamera(GfRect2i const &visible, cc::Camera *camera) const;
-    bool _Render();
-    void _Publish(HdCCFrame const &frame, GfVec2i const &corner);
-    void _ClearAll();
+    bool _IsFrameLost() const;
+    void _Begin(bool isInteractive);
+    bool _Prepare(GfRect2i const &visible, HdCCFrame *frame, cc::Camera *camera);
+    void _RenderWhole(GfRect2i const &visible, cc::Camera const &camera, HdCCFrame made);
+    void _RenderInBackground(GfRect2i const &visible, cc::Camera const &camera, HdCCFrame made);
+    void _BeginProgress(HdCCFrame const &frame, cc::Film const &film);
+    void _ShowNewest();
+    void _Publish(std::shared_ptr<const HdCCFrame> const &frame);
+    void _GiveUp();
+    void _SetConverged(bool isConverged);
 
     HdCCRenderDelegate *_delegate;
     HdCCRenderParam *_param;
     _Picture _picture;
+    bool _hasBegun = false;
     bool _converged = false;
+    /// While one renders in the background.
+    std::shared_ptr<HdCCBackgroundFrame> _backgroundFrame;
+    std::shared_ptr<const HdCCFrame> _shown;
 };
 
 PXR_NAMESPACE_CLOSE_SCOPE

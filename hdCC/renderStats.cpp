@@ -3,6 +3,7 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <string>
 
 #include "pxr/base/vt/array.h"
 #include "pxr/base/vt/types.h"
@@ -62,6 +63,21 @@ static int64_t _PeakResidentBytes() {
     return int64_t(usage.ru_maxrss) * 1024;
 }
 
+/// What other renderers tell under the same names, for applications that show it.
+static void _AddCommonNames(HdCCFrame const &frame, VtDictionary *stats) {
+    const double loading = frame.syncSeconds + frame.scene.buildSeconds;
+    VtDictionary &common = *stats;
+    common["rendererName"] = VtValue(std::string("hdCC"));
+    common["numCompletedSamples"] = VtValue(frame.samples);
+    common["loadClockTime"] = VtValue(loading);
+    common["totalClockTime"] = VtValue(loading + frame.statistics.seconds);
+    common["totalMemory"] = VtValue(int64_t(frame.scene.bytes));
+    common["peakMemory"] = VtValue(_PeakResidentBytes());
+    common["polyCounts"] = VtValue(int64_t(frame.scene.faces));
+    common["cameraRays"] = VtValue(int64_t(frame.statistics.primaryRays));
+    common["occlusionRays"] = VtValue(int64_t(frame.statistics.shadowRays));
+}
+
 VtDictionary HdCCRenderStats(HdCCFrame const &frame) {
     VtDictionary seconds, rays, bytes;
     seconds["sync"] = VtValue(frame.syncSeconds);
@@ -84,6 +100,7 @@ VtDictionary HdCCRenderStats(HdCCFrame const &frame) {
     stats["bytes"] = VtValue(bytes);
     stats["levels"] = VtValue(_Levels(frame));
     stats["packet"] = VtValue(_PerPacket(frame.statistics.trace));
+    _AddCommonNames(frame, &stats);
     return stats;
 }
 

@@ -118,6 +118,7 @@ class View:
         camera: str = "/Camera",
         size: tuple[int, int] = (32, 32),
         aovs: Iterable[str] = ALL_AOVS,
+        interactive: bool = False,
         **settings: Any,
     ) -> None:
         self.stage = stage
@@ -125,6 +126,7 @@ class View:
         parameters.gpuEnabled = False
         parameters.rendererPluginId = PLUGIN
         self.engine = UsdImagingGL.Engine(parameters)
+        self.engine.SetRendererSetting("enableInteractive", interactive)
         self.aovs = tuple(aovs)
         self.set("aovs", " ".join(self.aovs))
         self.set("samples", 4)

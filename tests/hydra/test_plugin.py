@@ -263,6 +263,17 @@ def test_stats() -> None:
     assert 0 < stats["seconds"]["trace"] < 60
     assert stats["bytes"]["structures"] > 0
     assert stats["packet"]["traversals"] > 0
+    assert stats["rendererName"] == "hdCC"
+    assert stats["numCompletedSamples"] == 4
+    assert stats["polyCounts"] == 6
+    assert stats["cameraRays"] == stats["rays"]["primary"]
+    assert stats["occlusionRays"] == stats["rays"]["shadow"]
+    assert stats["totalMemory"] == stats["bytes"]["structures"]
+    assert stats["peakMemory"] > stats["totalMemory"]
+    loading = stats["seconds"]["sync"] + stats["seconds"]["build"]
+    assert stats["loadClockTime"] == pytest.approx(loading)
+    assert stats["totalClockTime"] == pytest.approx(loading + stats["seconds"]["trace"])
+    assert empty.keys() == stats.keys()
 
 
 def test_progress_can_be_asked_from_another_thread() -> None:
