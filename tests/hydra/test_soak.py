@@ -1,0 +1,182 @@
+"""Edits of every kind, at any moment of a frame, from a seed.
+
+    HDCC_SOAK_EDITS=20000 HDCC_SOAK_SEED=7 tools/test --only hydra
+
+makes more of them, and others. A failure names the seed.
+"""
+
+import os
+import random
+import time
+from collections.abc import Callable
+
+import pytest
+from hydra_kit import ALL_AOVS, View, add_cube, add_distant_light, add_grid, assert_same, make_stage
+from interactive_kit import converge, draw, expected
+from pxr import Gf, Sdf, UsdGeom
+
+EDITS = int(os.environ.get("HDCC_SOAK_EDITS", "400"))
+SEED = int(os.environ.get("HDCC_SOAK_SEED", "1"))
+AOVS = tuple(name for name in ALL_AOVS if name != "primId")  # which depend on the order of prims
+MOST_MESHES = 8
+
+
+class Soak:
+    """A view, and all that may happen to it."""
+
+    def __init__(self, seed: int) -> None:
+        self.random = random.Random(seed)
+        stage = make_stage(light=False)
+        add_distant_light(stage, shadows=True).AddRotateXYZOp().Set(Gf.Vec3f(30, 20, 0))
+        self.view = View(stage, interactive=True, samples=3)
+        self.size = (32, 32)
+        self.settings: dict[str, object] = {}
+        self.names = 0
+        self.meshes: list[Sdf.Path] = []
+        self.edits: tuple[Callable[[], None], ...] = (
+            self.add,
+            self.remove,
+            self.move,
+            self.move_points,
+            self.retopologize,
+            self.hide,
+            self.paint,
+            self.light,
+            self.camera,
+            self.set,
+            self.resize,
+            self.aov,
+            self.pause,
+            self.stop,
+        )
+
+    def offset(self) -> Gf.Vec3d:
+        return Gf.Vec3d(*(self.random.uniform(-1.5, 1.5) for _ in range(3)))
+
+    def any_mesh(self) -> UsdGeom.Mesh:
+        if not self.meshes:
+            self.add()
+        return UsdGeom.Mesh.Get(self.view.stage, self.random.choice(self.meshes))
+
+    def add(self) -> None:
+        if len(self.meshes) >= MOST_MESHES:
+            self.remove()
+        self.names += 1
+        path = f"/Mesh{self.names}"
+        if self.random.random() < 0.5:
+            mesh = add_cube(self.view.stage, path, half=0.6)
+        else:
+            mesh = add_grid(self.view.stage, path, size=self.random.randint(1, 9), bump=0.4)
+        mesh.AddTranslateOp().Set(self.offset())
+        self.meshes.append(mesh.GetPath())
+
+    def remove(self) -> None:
+        path = self.any_mesh().GetPath()
+        self.meshes.remove(path)
+        self.view.stage.RemovePrim(path)
+
+    def move(self) -> None:
+        self.any_mesh().GetPrim().GetAttribute("xformOp:translate").Set(self.offset())
+
+    def move_points(self) -> None:
+        points = self.any_mesh().GetPointsAttr()
+        scale = self.random.uniform(0.8, 1.2)
+        points.Set([point * scale for point in points.Get()])
+
+    def retopologize(self) -> None:
+        mesh = self.any_mesh()
+        if self.random.random() < 0.5:
+            mesh.GetHoleIndicesAttr().Set([self.random.randint(0, 5)])
+        else:
+            scheme = self.random.choice(("catmullClark", "bilinear", "none"))
+            mesh.GetSubdivisionSchemeAttr().Set(scheme)
+
+    def hide(self) -> None:
+        token = self.random.choice(("invisible", "inherited"))
+        self.any_mesh().GetVisibilityAttr().Set(token)
+
+    def paint(self) -> None:
+        color = Gf.Vec3f(*(self.random.random() for _ in range(3)))
+        self.any_mesh().GetDisplayColorAttr().Set([color])
+
+    def light(self) -> None:
+        light = self.view.stage.GetPrimAtPath("/Light")
+        if light:
+            light.GetAttribute("inputs:intensity").Set(self.random.uniform(0.2, 2))
+        if self.random.random() < 0.2:
+            path = "/Second"
+            if not self.view.stage.RemovePrim(path):
+                add_distant_light(self.view.stage, path, intensity=0.5)
+
+    def camera(self) -> None:
+        offset = Gf.Vec3d(self.random.uniform(-1, 1), 0, 5)
+        self.view.stage.GetPrimAtPath("/Camera").GetAttribute("xformOp:translate").Set(offset)
+
+    def set(self) -> None:
+        name, values = self.random.choice(
+            (
+                ("level", (1, 3, 4)),
+                ("samples", (1, 3, 1000)),
+                ("seed", (0, 5)),
+                ("threads", (0, 1, 3)),
+                ("tracer", ("packet", "packet", "single", "algorithm1", "tessellated")),
+                ("adaptive", (True, False)),
+            )
+        )
+        self.settings[name] = self.random.choice(values)
+        self.view.set(name, self.settings[name])
+
+    def resize(self) -> None:
+        self.size = (self.random.randint(1, 80), self.random.randint(1, 80))
+        self.view.set_size(*self.size)
+
+    def aov(self) -> None:
+        name = self.random.choice(("color", "depth", "normal", "primId", "primvars:displayColor"))
+        self.view.engine.SetRendererAov(name)
+
+    def pause(self) -> None:
+        self.view.engine.PauseRenderer()
+        self.breathe()
+        self.view.engine.ResumeRenderer()
+
+    def stop(self) -> None:
+        self.view.engine.StopRenderer()
+        self.breathe()
+        if self.random.random() < 0.5:
+            self.view.engine.RestartRenderer()
+
+    def breathe(self) -> None:
+        """Leaves the frame some time, and looks at it or not."""
+        if self.random.random() < 0.3:
+            time.sleep(self.random.uniform(0, 0.01))
+        for _ in range(self.random.choice((0, 1, 1, 3))):
+            draw(self.view)
+
+    def step(self) -> None:
+        for _ in range(self.random.choice((1, 1, 1, 2, 5))):
+            self.random.choice(self.edits)()
+        self.breathe()
+
+    def check(self) -> None:
+        """The picture is that of an engine that sees the stage for the first time."""
+        self.settings["samples"] = 3
+        self.view.set("samples", 3)
+        self.view.engine.SetRendererAov("color")
+        self.view.engine.RestartRenderer()
+        picture = converge(self.view)
+        options = {**self.settings, "size": self.size}
+        fresh = expected(self.view, **options)
+        assert_same(picture, fresh, AOVS)
+        assert ((picture["primId"] >= 0) == (fresh["primId"] >= 0)).all()
+
+
+@pytest.mark.parametrize("part", range(4))
+def test_edits_in_mid_frame(part: int) -> None:
+    seed = 4 * SEED + part
+    print("seed", seed)
+    soak = Soak(seed)
+    for i in range(EDITS // 4):
+        soak.step()
+        if i % 25 == 24:
+            soak.check()
+    soak.check()
