@@ -41,8 +41,8 @@ bool HdCCRenderPass::_Target::operator==(_Target const &b) const {
 bool HdCCRenderPass::_Picture::operator==(_Picture const &b) const {
     return sceneVersion == b.sceneVersion && settingsVersion == b.settingsVersion &&
            renderTags == b.renderTags && cameraId == b.cameraId && worldToView == b.worldToView &&
-           projection == b.projection && clippingRange == b.clippingRange && window == b.window &&
-           targets == b.targets;
+           projection == b.projection && clippingRange == b.clippingRange && optics == b.optics &&
+           window == b.window && targets == b.targets;
 }
 
 void HdCCRenderPass::_Execute(HdRenderPassStateSharedPtr const &state,
@@ -53,10 +53,6 @@ void HdCCRenderPass::_Execute(HdRenderPassStateSharedPtr const &state,
 
     _AskForPrimvars(*state);
     _Picture picture = _Describe(state, renderTags);
-    if (state->GetCamera() && state->GetCamera()->GetFStop() > 0) {
-        _param->WarnOnce(picture.cameraId,
-                         "depth of field is not supported yet; everything is in focus");
-    }
     const bool isInteractive = _delegate->GetRenderSetting(_tokens->enableInteractive, true);
     const bool isNew = !_hasBegun || picture != _picture || _IsFrameLost();
     _picture = std::move(picture);
@@ -122,6 +118,11 @@ HdCCRenderPass::_Picture HdCCRenderPass::_Describe(HdRenderPassStateSharedPtr co
         picture.worldToView = state->GetWorldToViewMatrix();
         picture.projection = state->GetProjectionMatrix();
         picture.clippingRange = camera->GetClippingRange();
+        std::vector<std::string> warnings;
+        picture.optics = HdCCReadOptics(*camera, state->GetClipPlanes(), &warnings);
+        for (std::string const &warning : warnings) {
+            _param->WarnOnce(picture.cameraId, warning);
+        }
     }
     return picture;
 }
@@ -182,6 +183,7 @@ bool HdCCRenderPass::_MakeCamera(GfRect2i const &visible, cc::Camera *camera) co
                       _picture.clippingRange.GetMax(), camera)) {
         return false;
     }
+    _picture.optics.Apply(camera);
     GfRect2i const &window = _picture.window;
     const cc::Vec2f lower = camera->windowLower, upper = camera->windowUpper;
     const auto narrow = [](float low, float high, int from, int size, int at) {

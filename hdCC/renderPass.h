@@ -15,6 +15,7 @@
 #include "pxr/imaging/hd/renderPassState.h"
 #include "pxr/pxr.h"
 
+#include "hdCC/cameraOptics.h"
 #include "hdCC/renderBuffer.h"
 
 PXR_NAMESPACE_OPEN_SCOPE
@@ -61,6 +62,7 @@ class HdCCRenderPass final : public HdRenderPass {
         SdfPath cameraId;
         GfMatrix4d worldToView{1}, projection{1};
         GfRange1f clippingRange;
+        HdCCCameraOptics optics;
         /// What the projection covers, in pixels of the buffers from the bottom up.
         GfRect2i window;
         std::vector<_Target> targets;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/math/hash.h"
 #include "core/math/vec.h"
 
 namespace cc {
@@ -15,9 +16,7 @@ class PixelSampler {
   public:
     /// @param count  samples that the pixel gets, 1 or more
     PixelSampler(int x, int y, int seed, int count)
-        : _step(1.0 / count),
-          _bits(Hash(static_cast<uint32_t>(x) +
-                     Hash(static_cast<uint32_t>(y) + Hash(static_cast<uint32_t>(seed))))) {}
+        : _step(1.0 / count), _bits(HashPixel(x, y, seed)) {}
 
     Vec2f Sample(int index) const {
         constexpr double kGoldenRatio = 0.6180339887498949;
@@ -30,15 +29,6 @@ class PixelSampler {
     }
 
   private:
-    /// An integer hash that changes all bits (Wellons' lowbias32).
-    static uint32_t Hash(uint32_t x) {
-        x ^= x >> 16;
-        x *= 0x7feb352du;
-        x ^= x >> 15;
-        x *= 0x846ca68bu;
-        return x ^ (x >> 16);
-    }
-
     /// 0.5 + d, wrapped to [0, 1) after rounding too.
     static float AboutCenter(double d) {
         const double x = d + 0.5;

@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "core/render/directLight.h"
+#include "core/render/lensSampler.h"
 #include "core/render/pixelSampler.h"
 #include "core/trace/gridStitch.h"
 #include "core/trace/instanceLevels.h"
@@ -67,37 +68,51 @@ TileRenderer::TileRenderer(const Scene& scene, const CameraRays& camera, const T
 void TileRenderer::Render(const Tile& tile, SampleRange samples, TileColors* colors,
                           RenderWorker* worker) const {
     Sample sample;
-    const bool hasColor = _film->Has(Aov::Color);
-    for (int i = samples.begin; i < samples.end; ++i) {
-        const TraceStatistics before = worker->statistics.trace;
-        _TraceSample(tile, i, &sample, worker);
-        if (i == 0) {
-            _WriteCost(tile, before, worker->statistics.trace);
-            _WriteLevels(tile, sample);
-            _WriteSurface(tile, sample);
-            for (const Aov& aov : _film->Aovs()) {
-                if (aov.kind == Aov::Primvar) {
-                    _WritePrimvar(tile, sample, aov);
-                }
-            }
-        }
-        if (hasColor) {
-            _AddColor(sample, colors->data(), worker);
-        }
+    if (samples.begin == 0) {
+        _WriteCentres(tile, &sample, worker);
     }
-    if (hasColor) {
-        _WriteColor(tile, *colors, samples.end);
+    if (!_film->Has(Aov::Color)) {
+        return;
+    }
+    for (int i = samples.begin; i < samples.end; ++i) {
+        // Without a lens the first sample is the one that is there already.
+        if (i > 0 || _camera.HasLens()) {
+            _TraceSample(tile, i, true, &sample, worker);
+        }
+        _AddColor(sample, colors->data(), worker);
+    }
+    _WriteColor(tile, *colors, samples.end);
+}
+
+void TileRenderer::_WriteCentres(const Tile& tile, Sample* sample, RenderWorker* worker) const {
+    if (_camera.HasLens() && _film->Aovs().size() == 1 && _film->Has(Aov::Color)) {
+        return;
+    }
+    const TraceStatistics before = worker->statistics.trace;
+    _TraceSample(tile, 0, false, sample, worker);
+    _WriteCost(tile, before, worker->statistics.trace);
+    _WriteLevels(tile, *sample);
+    _WriteSurface(tile, *sample);
+    for (const Aov& aov : _film->Aovs()) {
+        if (aov.kind == Aov::Primvar) {
+            _WritePrimvar(tile, *sample, aov);
+        }
     }
 }
 
-void TileRenderer::_TraceSample(const Tile& tile, int index, Sample* sample,
+void TileRenderer::_TraceSample(const Tile& tile, int index, bool isThroughLens, Sample* sample,
                                 RenderWorker* worker) const {
-    sample->rays.count = tile.width * tile.height;
-    for (int lane = 0; lane < sample->rays.count; ++lane) {
+    const bool samplesLens = isThroughLens && _camera.HasLens();
+    RayPacket& rays = sample->rays;
+    rays.count = tile.width * tile.height;
+    for (int lane = 0; lane < rays.count; ++lane) {
         const int x = tile.x + lane % tile.width, y = tile.y + lane / tile.width;
         const Vec2f inPixel = PixelSampler(x, y, _options.seed, _options.samples).Sample(index);
-        _camera.SetRay(double(x) + inPixel.x, double(y) + inPixel.y, lane, &sample->rays);
+        const Vec2f onLens =
+            samplesLens ? LensSampler(x, y, _options.seed).Sample(index) : Vec2f{0, 0};
+        _camera.SetLensRay(double(x) + inPixel.x, double(y) + inPixel.y, onLens, lane, &rays);
     }
+    std::copy_n(rays.tMax, rays.count, sample->farEnd);
     _Intersect(&sample->rays, &sample->hits, worker);
     if (_hasCulling) {
         _PassThroughCulled(sample, worker);
@@ -131,7 +146,7 @@ void TileRenderer::_PassThroughCulled(Sample* sample, RenderWorker* worker) cons
     for (int passed = 0; passed < kMaxCulledHits && rays.count > 0; ++passed) {
         for (int i = 0; i < rays.count; ++i) {
             rays.tMin[i] = rays.tMax[i] * kBeyondHit;
-            rays.tMax[i] = _camera.FarEnd();
+            rays.tMax[i] = sample->farEnd[lanes[i]];
         }
         HitPacket hits;
         _Intersect(&rays, &hits, worker);
@@ -193,8 +208,10 @@ void TileRenderer::_WriteColor(const Tile& tile, const TileColors& colors, int s
     float* plane = _film->Floats(Aov::Color);
     for (int lane = 0; lane < tile.width * tile.height; ++lane) {
         const float* sum = colors.data() + 4 * size_t(lane);
-        std::transform(sum, sum + 4, plane + 4 * PixelOf(tile, lane, _film->Width()),
-                       [&](float value) { return value / static_cast<float>(samples); });
+        float* pixel = plane + 4 * PixelOf(tile, lane, _film->Width());
+        for (int i = 0; i < 4; ++i) {
+            pixel[i] = sum[i] / static_cast<float>(samples) * (i < 3 ? _camera.Exposure() : 1);
+        }
     }
 }
 

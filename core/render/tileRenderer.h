@@ -41,12 +41,17 @@ class TileRenderer {
     /// Rays through the pixels of a tile, row by row from the lower left, and what they hit.
     struct Sample {
         RayPacket rays;
+        float farEnd[kPacketSize];  ///< of the rays before they hit
         HitPacket hits;
 
         bool IsHit(int lane) const { return hits.instance[lane] != kNoHit; }
     };
 
-    void _TraceSample(const Tile& tile, int index, Sample* sample, RenderWorker* worker) const;
+    /// Writes the AOVs other than colour, of rays through the middle of pixels and lens.
+    void _WriteCentres(const Tile& tile, Sample* sample, RenderWorker* worker) const;
+    /// @param isThroughLens  rays start anywhere on the camera's lens, else at its centre
+    void _TraceSample(const Tile& tile, int index, bool isThroughLens, Sample* sample,
+                      RenderWorker* worker) const;
     void _Intersect(RayPacket* rays, HitPacket* hits, RenderWorker* worker) const;
     void _PassThroughCulled(Sample* sample, RenderWorker* worker) const;
     bool _IsCulled(const RayPacket& rays, const HitPacket& hits, int lane) const;

@@ -1,10 +1,18 @@
 #pragma once
 
+#include <vector>
+
 #include "core/math/transform.h"
 
 namespace cc {
 
-/// A pinhole or orthographic camera that looks down its -z axis with +y up.
+/// Half of a camera's space: a point p is seen if Dot(normal, p) + offset >= 0.
+struct ClipPlane {
+    Vec3f normal;
+    float offset = 0;
+};
+
+/// A perspective or orthographic camera that looks down its -z axis with +y up.
 struct Camera {
     AffineTransform cameraToWorld;
     bool orthographic = false;
@@ -17,6 +25,13 @@ struct Camera {
     Vec2f wholeLower{-1, -1}, wholeUpper{1, 1};
     /// Distances along -z between which surfaces are seen.
     float clipNear = 0.01f, clipFar = 1e6f;
+    /// What is seen lies on the visible side of all of these. Shadows know nothing of them.
+    std::vector<ClipPlane> clipPlanes;
+    /// Of a thin lens, in camera space: things at the focus distance along -z are sharp, others
+    /// blurred. 0 is a pinhole; an orthographic camera has no lens.
+    float lensRadius = 0, focusDistance = 0;
+    /// What colour is multiplied by, coverage left out.
+    float exposure = 1;
 };
 
 }  // namespace cc

@@ -171,20 +171,6 @@ def test_bad_render_settings_prim_warns(warnings: Any) -> None:
     assert view.engine.GetRendererSetting("hdcc:level") == 4
 
 
-def test_depth_of_field_is_said_to_be_missing_once(warnings: Any) -> None:
-    stage = make_stage()
-    mesh = add_grid(stage)
-    view = View(stage)
-    view.execute()
-    assert "depth of field" not in warnings.read()
-    stage.GetPrimAtPath("/Camera").GetAttribute("fStop").Set(2.8)
-    view.execute()
-    assert warnings.read().count("</Camera>: depth of field") == 1
-    mesh.GetHoleIndicesAttr().Set([3])
-    view.execute()
-    assert "depth of field" not in warnings.read()
-
-
 def test_write_command_is_described() -> None:
     (command,) = make_engine().GetRendererCommandDescriptors()
     assert command.commandName == "write"

@@ -17,9 +17,9 @@ struct Ray {
     float tMin, tMax;
 };
 
-Ray RayAt(const CameraRays& rays, double x, double y) {
+Ray RayAt(const CameraRays& rays, double x, double y, const Vec2f& onLens = {0, 0}) {
     RayPacket packet;
-    rays.SetRay(x, y, 3, &packet);
+    rays.SetLensRay(x, y, onLens, 3, &packet);
     return {{packet.originX[3], packet.originY[3], packet.originZ[3]},
             {packet.directionX[3], packet.directionY[3], packet.directionZ[3]},
             packet.tMin[3],
@@ -64,6 +64,78 @@ TEST(CameraRays, TheParameterIsTheDistanceAlongTheViewAxis) {
     for (const float t : {0.5f, 3.0f, 8.0f}) {
         EXPECT_NEAR(worldToCamera.Point(ray.origin + ray.direction * t).z, -t, 1e-5f);
     }
+}
+
+Camera CameraWithLens() {
+    Camera camera;
+    camera.cameraToWorld = Translation(1, 2, 3);
+    camera.lensRadius = 0.5f;
+    camera.focusDistance = 4;
+    return camera;
+}
+
+TEST(CameraRays, RaysThroughTheLensMeetAtTheFocusDistance) {
+    const Camera camera = CameraWithLens();
+    const CameraRays rays(camera, 16, 16);
+    ASSERT_TRUE(rays.HasLens());
+    const Ray centre = RayAt(rays, 3, 13);
+    EXPECT_EQ(centre.origin, (Vec3f{1, 2, 3}));
+    for (const Vec2f& onLens : {Vec2f{1, 0}, Vec2f{0, -1}, Vec2f{-0.6f, 0.8f}}) {
+        const Ray ray = RayAt(rays, 3, 13, onLens);
+        EXPECT_EQ(ray.origin, (Vec3f{1 + 0.5f * onLens.x, 2 + 0.5f * onLens.y, 3}));
+        EXPECT_EQ(ray.direction.z, -1);
+        const Vec3f apart = ray.origin + ray.direction * 4 - (centre.origin + centre.direction * 4);
+        EXPECT_LT(Length(apart), 1e-5f);
+    }
+}
+
+TEST(CameraRays, OnlyPerspectiveCamerasHaveALens) {
+    Camera camera = CameraWithLens();
+    camera.orthographic = true;
+    const CameraRays orthographic(camera, 16, 16);
+    EXPECT_FALSE(orthographic.HasLens());
+    EXPECT_EQ(RayAt(orthographic, 3, 5, {1, 0}).origin, RayAt(orthographic, 3, 5).origin);
+    camera = CameraWithLens();
+    camera.lensRadius = 0;
+    EXPECT_FALSE(CameraRays(camera, 16, 16).HasLens());
+    camera = CameraWithLens();
+    camera.focusDistance = 0;
+    EXPECT_FALSE(CameraRays(camera, 16, 16).HasLens());
+}
+
+TEST(CameraRays, ClipPlanesCutBothEnds) {
+    Camera camera;
+    camera.cameraToWorld = Translation(1, 2, 3);
+    camera.clipNear = 1;
+    camera.clipFar = 9;
+    camera.clipPlanes = {{{0, 0, -2}, -4}};  // beyond 2
+    EXPECT_EQ(RayAt(CameraRays(camera, 8, 8), 1, 1).tMin, 2);
+    EXPECT_EQ(RayAt(CameraRays(camera, 8, 8), 1, 1).tMax, 9);
+    camera.clipPlanes.push_back({{0, 0, 1}, 5});  // nearer than 5
+    camera.clipPlanes.push_back({{0, 0, 1}, 50});
+    EXPECT_EQ(RayAt(CameraRays(camera, 8, 8), 1, 1).tMin, 2);
+    EXPECT_EQ(RayAt(CameraRays(camera, 8, 8), 1, 1).tMax, 5);
+}
+
+TEST(CameraRays, ClipPlanesSlant) {
+    Camera camera;
+    camera.clipNear = 1;
+    camera.clipFar = 9;
+    camera.clipPlanes = {{{1, 0, -1}, -6}};  // where x and distance make 6 or more
+    const CameraRays rays(camera, 8, 8);
+    EXPECT_FLOAT_EQ(RayAt(rays, 4, 4).tMin, 6);
+    EXPECT_FLOAT_EQ(RayAt(rays, 8, 4).tMin, 3);
+    const Ray empty = RayAt(rays, 0, 4);  // runs along the plane
+    EXPECT_LT(empty.tMax, empty.tMin);
+    camera.orthographic = true;
+    EXPECT_FLOAT_EQ(RayAt(CameraRays(camera, 8, 8), 8, 4).tMin, 5);
+}
+
+TEST(CameraRays, NothingIsLeftBetweenPlanesThatExcludeEachOther) {
+    Camera camera;
+    camera.clipPlanes = {{{0, 0, -1}, -5}, {{0, 0, 1}, 4}};
+    const Ray ray = RayAt(CameraRays(camera, 8, 8), 2, 2);
+    EXPECT_LT(ray.tMax, ray.tMin);
 }
 
 TEST(CameraRays, DepthIsProjected) {

@@ -27,6 +27,78 @@ Film Render(Scene* scene, const Camera& camera, const RenderOptions& options = O
     return film;
 }
 
+/// Camera, a square before it and its blur.
+Camera CameraOutOfFocus() {
+    Camera camera = CameraAt(4);
+    camera.lensRadius = 0.3f;
+    camera.focusDistance = 2;
+    return camera;
+}
+
+TEST(RenderFrame, ALensBlursColorAndNothingElse) {
+    Scene scene;
+    AddCage(&scene, "/square", Square());
+    AddHeadlight(&scene);
+    const Film sharp = Render(&scene, CameraAt(4), Options(16));
+    const Film blurred = Render(&scene, CameraOutOfFocus(), Options(16));
+    const size_t pixels = size_t(sharp.Width()) * sharp.Height();
+    for (const Aov& aov : kAllAovs) {
+        const size_t bytes = 4 * pixels * LayoutOf(aov).components;
+        const bool isSame = LayoutOf(aov).isInteger
+                                ? std::memcmp(sharp.Ints(aov), blurred.Ints(aov), bytes) == 0
+                                : std::memcmp(sharp.Floats(aov), blurred.Floats(aov), bytes) == 0;
+        EXPECT_EQ(isSame, aov.kind != Aov::Color) << int(aov.kind);
+    }
+}
+
+TEST(RenderFrame, ColorThroughALensDoesNotDependOnOtherAovs) {
+    Scene scene;
+    AddCage(&scene, "/square", Square());
+    AddHeadlight(&scene);
+    const Film all = Render(&scene, CameraOutOfFocus(), Options(16));
+    Film alone(24, 20, {Aov::Color});
+    RenderStatistics statistics;
+    RenderFrame(scene, CameraOutOfFocus(), Options(16), &alone, &statistics, nullptr, nullptr);
+    EXPECT_EQ(std::memcmp(all.Floats(Aov::Color), alone.Floats(Aov::Color), 16 * 24 * 20), 0);
+}
+
+TEST(RenderFrame, ALensGivesTheSameBitsForAnyThreads) {
+    Scene scene;
+    AddCage(&scene, "/square", Square());
+    AddHeadlight(&scene);
+    const std::string one = Bits(Render(&scene, CameraOutOfFocus(), Options(8, 1), 50, 40));
+    EXPECT_EQ(one, Bits(Render(&scene, CameraOutOfFocus(), Options(8, 5), 50, 40)));
+}
+
+TEST(RenderFrame, ExposureScalesColorAndLeavesCoverage) {
+    Scene scene;
+    AddCage(&scene, "/square", Square());
+    AddHeadlight(&scene);
+    Camera camera = CameraAt(4);
+    const Film plain = Render(&scene, camera, Options(4));
+    camera.exposure = 0.25f;
+    const Film darker = Render(&scene, camera, Options(4));
+    for (int i = 0; i < 4 * 24 * 20; ++i) {
+        const float before = plain.Floats(Aov::Color)[i];
+        ASSERT_EQ(darker.Floats(Aov::Color)[i], i % 4 < 3 ? before / 4 : before);
+    }
+}
+
+TEST(RenderFrame, RaysThatPassCulledFacesEndAtClipPlanes) {
+    Scene scene;
+    AddCage(&scene, "/turned", Reversed(Square()))->SetCullBackFaces(true);
+    Cage behind = Square();
+    for (Vec3f& p : behind.points) {
+        p = p * 10 - Vec3f{0, 0, 1};
+    }
+    AddCage(&scene, "/behind", behind);
+    Camera camera = CameraAt(4);
+    const int middle = 10 * 24 + 12;
+    EXPECT_EQ(Render(&scene, camera).Floats(Aov::CameraDepth)[middle], 5);
+    camera.clipPlanes = {{{0, 0, 1}, 4.5f}};
+    EXPECT_EQ(Render(&scene, camera).Ints(Aov::PrimId)[middle], -1);
+}
+
 TEST(RenderFrame, PrimvarsAreThoseOfTheMeshThatIsSeen) {
     Scene scene;
     Mesh* mesh = AddCage(&scene, "/square", Square());
