@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 import pytest
 from hydra_kit import View, add_camera, add_cube, add_grid, make_stage, render
-from pxr import CameraUtil, Gf, UsdGeom
+from pxr import Gf, UsdGeom
 
 BACKGROUND = {
     "color": 0,
@@ -127,21 +127,6 @@ def test_unsupported_aov_warns_and_converges(warnings: Any) -> None:
     view.execute()
 
 
-@pytest.mark.parametrize("projection", ["orthographic", "perspective"])
-def test_aperture_offset_shifts_the_picture(projection: str) -> None:
-    stage = make_stage(camera=False)
-    # At the grid's distance both see four units.
-    lens: dict[str, Any] = {"projection": projection, "focalLength": 50.0}
-    offsets = {"horizontalApertureOffset": 10.0, "verticalApertureOffset": -10.0}
-    add_camera(stage, "/Camera", **lens)
-    add_camera(stage, "/Shifted", **lens, **offsets)
-    add_grid(stage, half=4.0, size=8)
-    plain = render(stage)["elementId"]
-    shifted = render(stage, camera="/Shifted")["elementId"]
-    # One unit is eight pixels: right and down.
-    assert (shifted[:-8, :-8] == plain[8:, 8:]).all()
-
-
 def test_data_window_crops() -> None:
     stage = make_stage()
     add_cube(stage)
@@ -171,28 +156,6 @@ def test_data_window_counts_from_the_top() -> None:
     whole = view.render()["elementId"]
     view.set_data_window(0, -8, 32, 32, display=(32, 32))
     assert (view.render()["elementId"] == whole[:24]).all()
-
-
-@pytest.mark.parametrize(
-    ("policy", "size", "seen"),
-    [
-        (CameraUtil.Fit, (32, 16), (16, 16)),
-        (CameraUtil.Fit, (16, 32), (16, 16)),
-        (CameraUtil.Crop, (32, 16), (32, 16)),
-        (CameraUtil.MatchHorizontally, (32, 16), (32, 16)),
-        (CameraUtil.MatchHorizontally, (16, 32), (16, 16)),
-        (CameraUtil.MatchVertically, (16, 32), (16, 32)),
-        (CameraUtil.DontConform, (32, 16), (32, 16)),
-    ],
-    ids=str,
-)
-def test_window_policy(policy: Any, size: tuple[int, int], seen: tuple[int, int]) -> None:
-    stage = make_stage()
-    add_grid(stage)
-    view = View(stage, size=size)
-    view.engine.SetWindowPolicy(policy)
-    rows, columns = np.nonzero(view.render()["primId"] >= 0)
-    assert (np.ptp(columns) + 1, np.ptp(rows) + 1) == seen
 
 
 def test_free_camera() -> None:
