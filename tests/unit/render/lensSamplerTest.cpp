@@ -35,8 +35,8 @@ TEST(LensSampler, SpreadsEvenlyOverTheDisk) {
         }
         for (const auto& ring : counts) {
             for (const int count : ring) {
-                // 32 each; random points would stray by 6 as a rule, and by 17 at worst.
-                EXPECT_NEAR(count, kSamples / (kRings * kSectors), 8) << pixel;
+                // Random points would stray by 6 as a rule, and by 17 at worst.
+                EXPECT_NEAR(count, 32, 8) << pixel;
             }
         }
     }
