@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/repeats.h"
 #include "tests/unit/render/renderTestKit.h"
 
 namespace cc::test {
@@ -133,7 +134,8 @@ TEST_F(ProgressiveFrameTest, GoesOnWhereItWasStopped) {
         }
     });
     int stops = 0;
-    for (int i = 0; i < 60; ++i) {
+    const int frames = Repeats(60);
+    for (int i = 0; i < frames; ++i) {
         const auto frame = Frame(Options(8, 2));
         std::atomic<int64_t> progress{0};
         while (!frame->IsDone()) {
@@ -144,7 +146,7 @@ TEST_F(ProgressiveFrameTest, GoesOnWhereItWasStopped) {
     }
     isOver = true;
     stopper.join();
-    EXPECT_GT(stops, 60);
+    EXPECT_GT(stops, frames);
 }
 
 TEST_F(ProgressiveFrameTest, BlocksLieWhereTheirPixelsDo) {
