@@ -5,7 +5,7 @@
 
 PXR_NAMESPACE_OPEN_SCOPE
 
-HdCCBackgroundFrame::HdCCBackgroundFrame(cc::Scene const &scene, cc::Camera const &camera,
+HdCCBackgroundFrame::HdCCBackgroundFrame(cc::Scene *scene, cc::Camera const &camera,
                                          HdCCFrame made, int width, int height,
                                          std::vector<cc::Aov> aovs, std::atomic<int64_t> *progress)
     : _made(std::move(made)),

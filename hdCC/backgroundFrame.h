@@ -19,10 +19,10 @@ PXR_NAMESPACE_OPEN_SCOPE
 class HdCCBackgroundFrame {
   public:
     /// Renders the first, coarse picture.
-    /// @param scene    built; it must rest while RenderPass is called
+    /// @param scene    built; nothing else may touch it while RenderPass is called
     /// @param made     what is known of the frame before it renders
     /// @param progress samples done, counted up
-    HdCCBackgroundFrame(cc::Scene const &scene, cc::Camera const &camera, HdCCFrame made, int width,
+    HdCCBackgroundFrame(cc::Scene *scene, cc::Camera const &camera, HdCCFrame made, int width,
                         int height, std::vector<cc::Aov> aovs, std::atomic<int64_t> *progress);
 
     /// Renders until the next one is there, or `stop` turns true. Returns true if more is to

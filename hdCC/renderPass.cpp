@@ -262,7 +262,7 @@ void HdCCRenderPass::_RenderWhole(GfRect2i const &visible, cc::Camera const &cam
     const auto frame = std::make_shared<HdCCFrame>(std::move(made));
     frame->film = cc::Film(visible.GetWidth(), visible.GetHeight(), _FilmAovs());
     _BeginProgress(*frame, frame->film);
-    cc::RenderFrame(*_param->GetScene(), camera, frame->options, &frame->film, &frame->statistics,
+    cc::RenderFrame(_param->GetScene(), camera, frame->options, &frame->film, &frame->statistics,
                     &_param->samplesDone, nullptr);
     _param->samplesDone = _param->samplesTotal.load();
     frame->samples = frame->film.Has(cc::Aov::Color) ? frame->options.samples : 1;
@@ -274,7 +274,7 @@ void HdCCRenderPass::_RenderWhole(GfRect2i const &visible, cc::Camera const &cam
 void HdCCRenderPass::_RenderInBackground(GfRect2i const &visible, cc::Camera const &camera,
                                          HdCCFrame made) {
     const auto frame = std::make_shared<HdCCBackgroundFrame>(
-        *_param->GetScene(), camera, std::move(made), visible.GetWidth(), visible.GetHeight(),
+        _param->GetScene(), camera, std::move(made), visible.GetWidth(), visible.GetHeight(),
         _FilmAovs(), &_param->samplesDone);
     const std::shared_ptr<const HdCCFrame> first = frame->GetNewest();
     _BeginProgress(*first, first->film);

@@ -80,6 +80,17 @@ bool AffineTransform::Invert(AffineTransform* inverse) const {
     return true;
 }
 
+AffineTransform AffineTransform::Lerp(const AffineTransform& a, const AffineTransform& b,
+                                      double weight) {
+    std::array<std::array<double, 4>, 3> rows{};
+    for (int r = 0; r < 3; ++r) {
+        for (int c = 0; c < 4; ++c) {
+            rows[r][c] = (1 - weight) * a(r, c) + weight * b(r, c);
+        }
+    }
+    return AffineTransform(rows);
+}
+
 AffineTransform operator*(const AffineTransform& a, const AffineTransform& b) {
     std::array<std::array<double, 4>, 3> rows{};
     for (int r = 0; r < 3; ++r) {

@@ -35,6 +35,9 @@ class AffineTransform {
     /// Returns false, and leaves inverse alone, if the map is singular or not finite.
     bool Invert(AffineTransform* inverse) const;
 
+    /// The map whose numbers are between those of two: a at weight 0, b at 1.
+    static AffineTransform Lerp(const AffineTransform& a, const AffineTransform& b, double weight);
+
     bool operator==(const AffineTransform& b) const { return _rows == b._rows; }
     bool operator!=(const AffineTransform& b) const { return !(*this == b); }
 

@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -33,9 +34,9 @@ class SampleSums {
 /// number of threads.
 class FrameSampler {
   public:
-    /// @param scene  built; it must rest while samples are rendered, and outlive this, as the film
-    ///               must
-    FrameSampler(const Scene& scene, const Camera& camera, const RenderOptions& options,
+    /// @param scene  built; nothing else may touch it while samples are rendered, since what moves is
+    ///               shown at one time after the other; it must outlive this, as the film must
+    FrameSampler(Scene* scene, const Camera& camera, const RenderOptions& options,
                  Film* film);
     FrameSampler(const FrameSampler&) = delete;
     FrameSampler& operator=(const FrameSampler&) = delete;
@@ -53,23 +54,35 @@ class FrameSampler {
     /// @param stop      tiles not begun are left out once it turns true; may be null
     /// Returns false if tiles are left.
     bool Render(int samples, SampleSums* sums, RenderStatistics* statistics,
-                std::atomic<int64_t>* progress, const std::atomic<bool>* stop) const;
+                std::atomic<int64_t>* progress, const std::atomic<bool>* stop);
 
     /// Patches of all instances by level. Wrong if stopped.
-    LevelCounts CountLevels(const std::atomic<bool>* stop) const;
+    LevelCounts CountLevels(const std::atomic<bool>* stop);
 
   private:
+    using TileWork = std::function<void(size_t tile, RenderWorker* worker)>;
+
+    bool _RenderMoving(int samples, SampleSums* sums, RenderStatistics* statistics,
+                       std::atomic<int64_t>* progress, const std::atomic<bool>* stop);
+    bool _ForTiles(const TileWork& work, RenderStatistics* statistics,
+                   const std::atomic<bool>* stop) const;
     void _RenderTile(size_t tile, int samples, SampleSums* sums, RenderWorker* worker,
                      std::atomic<int64_t>* progress) const;
+    void _SetTime(float time);
 
-    const Scene& _scene;
+    Scene& _scene;
+    const Camera _camera;
+    const int _width, _height;
     RenderOptions _options;
+    /// As they are at the time that is shown.
     CameraRays _cameraRays;
     LevelMetric _levels;
     std::unique_ptr<Tracer> _tracer, _shadows;
     std::unique_ptr<TileRenderer> _renderer;
     std::vector<Tile> _tiles;
     int _samplesPerPixel = 1;
+    /// Of the samples of colour, if anything moves; else empty.
+    std::vector<float> _times;
 };
 
 }  // namespace cc

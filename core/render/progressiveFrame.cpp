@@ -70,10 +70,10 @@ Film Enlarged(const Film& blocks, int blockSize, int width, int height) {
 
 }  // namespace
 
-ProgressiveFrame::ProgressiveFrame(const Scene& scene, const Camera& camera,
+ProgressiveFrame::ProgressiveFrame(Scene* scene, const Camera& camera,
                                    const RenderOptions& options, int width, int height,
                                    std::vector<Aov> aovs)
-    : _scene(scene),
+    : _scene(*scene),
       _camera(camera),
       _options(options),
       _width(std::max(width, 0)),
@@ -93,7 +93,7 @@ bool ProgressiveFrame::_RenderBlocks(const std::atomic<bool>* stop) {
                 _aovs);
     const Camera camera = CameraOfBlocks(_camera, _width, _height, _blockSize, blocks);
     RenderStatistics statistics;
-    if (!FrameSampler(_scene, camera, _options, &blocks)
+    if (!FrameSampler(&_scene, camera, _options, &blocks)
              .Render(1, nullptr, &statistics, nullptr, stop)) {
         return false;
     }
@@ -104,7 +104,7 @@ bool ProgressiveFrame::_RenderBlocks(const std::atomic<bool>* stop) {
 
 void ProgressiveFrame::_BeginSamples() {
     _film = Film(_width, _height, _aovs);
-    _sampler = std::make_unique<FrameSampler>(_scene, _camera, _options, &_film);
+    _sampler = std::make_unique<FrameSampler>(&_scene, _camera, _options, &_film);
     _sums = std::make_unique<SampleSums>(_sampler->TileCount());
 }
 

@@ -18,8 +18,9 @@ namespace cc {
 /// bit for bit what RenderFrame makes.
 class ProgressiveFrame {
   public:
-    /// @param scene  built; it must rest while a pass renders, and outlive the frame
-    ProgressiveFrame(const Scene& scene, const Camera& camera, const RenderOptions& options,
+    /// @param scene  built; nothing else may touch it while a pass renders; it must outlive the
+    ///               frame
+    ProgressiveFrame(Scene* scene, const Camera& camera, const RenderOptions& options,
                      int width, int height, std::vector<Aov> aovs);
     ProgressiveFrame(const ProgressiveFrame&) = delete;
     ProgressiveFrame& operator=(const ProgressiveFrame&) = delete;
@@ -46,7 +47,7 @@ class ProgressiveFrame {
     void _BeginSamples();
     int _NextSamples() const;
 
-    const Scene& _scene;
+    Scene& _scene;
     Camera _camera;
     RenderOptions _options;
     int _width, _height;

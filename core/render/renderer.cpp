@@ -31,11 +31,11 @@ LevelMetric SecondaryLevels(const LevelMetric& primary, const RenderOptions& opt
     return primary;
 }
 
-bool RenderFrame(const Scene& scene, const Camera& camera, const RenderOptions& options, Film* film,
+bool RenderFrame(Scene* scene, const Camera& camera, const RenderOptions& options, Film* film,
                  RenderStatistics* statistics, std::atomic<int64_t>* progress,
                  const std::atomic<bool>* stop) {
     const auto start = std::chrono::steady_clock::now();
-    const FrameSampler sampler(scene, camera, options, film);
+    FrameSampler sampler(scene, camera, options, film);
     if (!sampler.IsValid()) {
         *statistics = {};
         film->Clear();

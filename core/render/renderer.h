@@ -66,12 +66,15 @@ LevelMetric MakeLevelMetric(const Scene& scene, const Camera& camera, int width,
 LevelMetric SecondaryLevels(const LevelMetric& primary, const RenderOptions& options);
 
 /// Renders a built scene into the planes that the film has. The result is the same for any number
-/// of threads. Ids, depths and normals are those of the pixel's centre; colour is the average of
-/// all samples. A camera that cannot show anything gives background.
+/// of threads. Ids, depths and normals are those of the pixel's centre at time 0; colour is the
+/// average of all samples, at times while the shutter is open. A camera that cannot show anything
+/// gives background.
+/// @param scene     nothing else may touch it meanwhile: what moves is shown at one time after the
+///                  other
 /// @param progress  samples of pixels done, counted up while the frame renders; may be null
 /// @param stop      the frame is given up soon after it turns true; may be null
 /// Returns false if it was stopped.
-bool RenderFrame(const Scene& scene, const Camera& camera, const RenderOptions& options, Film* film,
+bool RenderFrame(Scene* scene, const Camera& camera, const RenderOptions& options, Film* film,
                  RenderStatistics* statistics, std::atomic<int64_t>* progress,
                  const std::atomic<bool>* stop);
 

@@ -52,13 +52,15 @@ void Store(const Vec3f& v, float* values) {
 
 TileRenderer::TileRenderer(const Scene& scene, const CameraRays& camera, const Tracer& tracer,
                            const Tracer& shadows, const LevelMetric& levels,
-                           const RenderOptions& options, Film* film)
+                           const RenderOptions& options, bool isMoving, Film* film)
     : _scene(scene),
       _camera(camera),
       _tracer(tracer),
       _shadows(shadows),
       _levels(levels),
       _options(options),
+      _centresAreApart(isMoving || camera.HasLens()),
+      _isMoving(isMoving),
       _film(film) {
     for (const Mesh* mesh : scene.ShownMeshes()) {
         _hasCulling = _hasCulling || mesh->CullBackFaces();
@@ -68,15 +70,15 @@ TileRenderer::TileRenderer(const Scene& scene, const CameraRays& camera, const T
 void TileRenderer::Render(const Tile& tile, SampleRange samples, TileColors* colors,
                           RenderWorker* worker) const {
     Sample sample;
-    if (samples.begin == 0) {
+    if (samples.begin == 0 && !_isMoving) {
         _WriteCentres(tile, &sample, worker);
     }
     if (!_film->Has(Aov::Color)) {
         return;
     }
     for (int i = samples.begin; i < samples.end; ++i) {
-        // Without a lens the first sample is the one that is there already.
-        if (i > 0 || _camera.HasLens()) {
+        // The first sample may be there already.
+        if (i > 0 || _centresAreApart) {
             _TraceSample(tile, i, true, &sample, worker);
         }
         _AddColor(sample, colors->data(), worker);
@@ -84,8 +86,13 @@ void TileRenderer::Render(const Tile& tile, SampleRange samples, TileColors* col
     _WriteColor(tile, *colors, samples.end);
 }
 
+void TileRenderer::RenderCentres(const Tile& tile, RenderWorker* worker) const {
+    Sample sample;
+    _WriteCentres(tile, &sample, worker);
+}
+
 void TileRenderer::_WriteCentres(const Tile& tile, Sample* sample, RenderWorker* worker) const {
-    if (_camera.HasLens() && _film->Aovs().size() == 1 && _film->Has(Aov::Color)) {
+    if (_centresAreApart && _film->Aovs().size() == 1 && _film->Has(Aov::Color)) {
         return;
     }
     const TraceStatistics before = worker->statistics.trace;

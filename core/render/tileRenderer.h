@@ -25,14 +25,19 @@ struct SampleRange {
 /// threads may render different tiles.
 class TileRenderer {
   public:
-    /// @param tracer   for the camera's rays, made with the levels
-    /// @param shadows  for rays that start on what those hit
+    /// @param camera    may change between calls, as the scene may
+    /// @param tracer    for the camera's rays, made with the levels
+    /// @param shadows   for rays that start on what those hit
+    /// @param isMoving  samples are taken at times of their own: RenderCentres is called apart
     TileRenderer(const Scene& scene, const CameraRays& camera, const Tracer& tracer,
                  const Tracer& shadows, const LevelMetric& levels, const RenderOptions& options,
-                 Film* film);
+                 bool isMoving, Film* film);
 
-    /// Adds samples to those before, and shows the sum in the film. The first sample also fills all
-    /// planes but colour.
+    /// Fills all planes but colour, by rays through the middle of pixels and lens.
+    void RenderCentres(const Tile& tile, RenderWorker* worker) const;
+
+    /// Adds samples to those before, and shows the sum in the film. Unless they are taken at times
+    /// of their own, the first sample also fills the other planes.
     /// @param colors  what the samples before `samples.begin` summed up to
     void Render(const Tile& tile, SampleRange samples, TileColors* colors,
                 RenderWorker* worker) const;
@@ -47,7 +52,6 @@ class TileRenderer {
         bool IsHit(int lane) const { return hits.instance[lane] != kNoHit; }
     };
 
-    /// Writes the AOVs other than colour, of rays through the middle of pixels and lens.
     void _WriteCentres(const Tile& tile, Sample* sample, RenderWorker* worker) const;
     /// @param isThroughLens  rays start anywhere on the camera's lens, else at its centre
     void _TraceSample(const Tile& tile, int index, bool isThroughLens, Sample* sample,
@@ -73,6 +77,9 @@ class TileRenderer {
     const Tracer& _shadows;
     const LevelMetric& _levels;
     const RenderOptions& _options;
+    /// False if the first sample of colour is the ray through the middle of the pixel.
+    const bool _centresAreApart;
+    const bool _isMoving;
     Film* _film;
     bool _hasCulling = false;
 };

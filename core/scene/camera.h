@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/math/transform.h"
+#include "core/scene/moving.h"
 
 namespace cc {
 
@@ -32,6 +33,21 @@ struct Camera {
     float lensRadius = 0, focusDistance = 0;
     /// What colour is multiplied by, coverage left out.
     float exposure = 1;
+    /// When the samples of colour are taken, in frames from the one that is rendered: at times from
+    /// shutterOpen to shutterClose. All else is seen at time 0.
+    float shutterOpen = 0, shutterClose = 0;
+    /// How cameraToWorld moves, if it does; it is itself the pose at time 0.
+    Moving<AffineTransform> motion;
+
+    /// The camera as it is at a time.
+    Camera At(float time) const {
+        Camera camera = *this;
+        if (motion.IsMoving()) {
+            const auto poses = motion.At(time);
+            camera.cameraToWorld = AffineTransform::Lerp(poses.first, poses.second, poses.weight);
+        }
+        return camera;
+    }
 };
 
 }  // namespace cc

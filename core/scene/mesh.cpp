@@ -5,6 +5,9 @@
 #include <numeric>
 #include <utility>
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include "core/scene/largestCoordinate.h"
 #include "core/subdiv/faceVaryingMesh.h"
 
@@ -13,6 +16,9 @@ namespace {
 
 constexpr char kDisplayColor[] = "displayColor", kNormals[] = "normals";
 
+/// Points that a thread takes at a time.
+constexpr size_t kPointGrain = 4096;
+
 std::string CheckPoints(const std::vector<Vec3f>& points) {
     const auto bad = std::find_if_not(points.begin(), points.end(), IsUsable);
     if (bad == points.end()) {
@@ -20,6 +26,26 @@ std::string CheckPoints(const std::vector<Vec3f>& points) {
     }
     return "point " + std::to_string(bad - points.begin()) +
            (IsFinite(*bad) ? " is too far away" : " is not finite") + "; the mesh is left out";
+}
+
+/// Where points are that move. All poses that time lies between have as many, or the first is taken.
+std::vector<Vec3f> PointsAt(const Moving<std::vector<Vec3f>>& points, float time) {
+    const auto at = points.At(time);
+    std::vector<Vec3f> between = at.first;
+    if (at.weight == 0 || at.second.size() != at.first.size()) {
+        return between;
+    }
+    const double weight = at.weight;
+    tbb::parallel_for(
+        tbb::blocked_range<size_t>(0, between.size(), kPointGrain), [&](const auto& part) {
+            for (size_t i = part.begin(); i < part.end(); ++i) {
+                for (int axis = 0; axis < 3; ++axis) {
+                    between[i][axis] = static_cast<float>((1 - weight) * at.first[i][axis] +
+                                                          weight * at.second[i][axis]);
+                }
+            }
+        });
+    return between;
 }
 
 size_t CountUsedPoints(const ControlMesh& topology) {
@@ -63,6 +89,12 @@ void Mesh::SetPoints(std::vector<Vec3f> points) {
     _points = std::move(points);
     _pointsChanged = true;
     _pointsAreInSurface = false;
+    _motion = {};
+}
+
+void Mesh::SetMovingPoints(Moving<std::vector<Vec3f>> points) {
+    SetPoints(PointsAt(points, 0));
+    _motion = std::move(points);
 }
 
 void Mesh::SetPrimvar(const std::string& name, Primvar primvar) {
@@ -81,10 +113,18 @@ void Mesh::SetPrimvar(const std::string& name, Primvar primvar) {
 }
 
 void Mesh::SetTransform(const AffineTransform& objectToWorld) {
-    _placementChanged |= _placement.SetTransform(objectToWorld);
+    SetMovingTransform(Moving<AffineTransform>(objectToWorld));
+}
+
+void Mesh::SetMovingTransform(Moving<AffineTransform> objectToWorld) {
+    _placementChanged |= _placement.SetTransform(std::move(objectToWorld));
 }
 
 void Mesh::SetInstances(std::vector<AffineTransform> instanceToWorld) {
+    SetMovingInstances(Moving<std::vector<AffineTransform>>(std::move(instanceToWorld)));
+}
+
+void Mesh::SetMovingInstances(Moving<std::vector<AffineTransform>> instanceToWorld) {
     _placement.SetInstances(std::move(instanceToWorld));
     _placementChanged = true;
     _TakePrimvarsBack(/* ofInstancesOnly */ true);
@@ -140,6 +180,7 @@ void Mesh::_BuildSurface(BuildReport* report) {
     _isSurfaceUsable = false;
     if (_topologyChanged || !_surface) {
         if (_pointsAreInSurface) {
+            _Pose(0);
             const std::vector<Vec3f>& points = _surface->PatchPoints();
             _points.assign(points.begin(), points.begin() + _surface->Patches().CagePointCount());
             _pointsAreInSurface = false;
@@ -154,6 +195,7 @@ void Mesh::_BuildSurface(BuildReport* report) {
         _points = {};
         _pointsAreInSurface = true;
         _isSurfaceUsable = _surface->Patches().Count() > 0;
+        _BuildMotion(report);
     }
 }
 
@@ -227,6 +269,39 @@ void Mesh::_MoveSurface(BuildReport* report) {
     _points.resize(_surface->Patches().CagePointCount());
     _surface->SetPoints(_points);
     report->work = SurfaceWork::Moved;
+}
+
+void Mesh::_BuildMotion(BuildReport* report) {
+    if (!_motion.IsMoving()) {
+        return;
+    }
+    for (size_t i = 0; i < _motion.Poses().size(); ++i) {
+        std::vector<Vec3f>& pose = _motion.Poses()[i];
+        const std::string error = _CheckPose(pose);
+        if (!error.empty()) {
+            report->lines.push_back("pose " + std::to_string(i) + " of its motion " + error +
+                                    "; it is shown at rest");
+            _motion = {};
+            return;
+        }
+        pose.resize(_surface->Patches().CagePointCount());
+    }
+    _surface->SetPoses(_motion.Poses());
+}
+
+std::string Mesh::_CheckPose(const std::vector<Vec3f>& pose) const {
+    if (pose.size() < _usedPointCount) {
+        return "has " + std::to_string(pose.size()) + " points, and faces use " +
+               std::to_string(_usedPointCount);
+    }
+    const bool isUsable = std::all_of(pose.begin(), pose.end(), IsUsable);
+    return isUsable ? "" : "has points that are not finite or too far away";
+}
+
+void Mesh::_Pose(float time) {
+    if (_motion.IsMoving()) {
+        _surface->Pose(PointsAt(_motion, time));
+    }
 }
 
 void Mesh::_BuildPrimvars(BuildReport* report) {
@@ -304,6 +379,9 @@ void Mesh::_BuildPlacement(BuildReport* report) {
 size_t Mesh::_Bytes() const {
     size_t bytes = (_surface ? _surface->Bytes() : 0) + _faces.Bytes() +
                    _points.capacity() * sizeof(Vec3f) + BytesOfTags(_tags) + _placement.Bytes();
+    for (const std::vector<Vec3f>& pose : _motion.Poses()) {
+        bytes += pose.capacity() * sizeof(Vec3f);
+    }
     for (const auto& [name, slot] : _primvars) {
         bytes += slot.field.Bytes();
     }

@@ -7,6 +7,7 @@
 
 #include "core/math/transform.h"
 #include "core/scene/faceVertices.h"
+#include "core/scene/moving.h"
 #include "core/scene/placement.h"
 #include "core/scene/primvar.h"
 #include "core/scene/primvarField.h"
@@ -31,15 +32,21 @@ class Mesh {
     void SetPrimId(int primId);
     void SetTopology(ControlMesh topology);
     void SetPoints(std::vector<Vec3f> points);
+    /// Points that move (Moving). Poses that do not fit the mesh, or are not numbers, leave it at
+    /// rest as it is at time 0.
+    void SetMovingPoints(Moving<std::vector<Vec3f>> points);
     /// Sets a primvar by its name without the prefix primvars:, as in "st". Empty ones are taken
     /// away. A mesh is shaded with its displayColor and under scheme none with its normals, each of
     /// three numbers; any other is there to be evaluated. Values that are those in use already cost
     /// no work.
     void SetPrimvar(const std::string& name, Primvar primvar);
     void SetTransform(const AffineTransform& objectToWorld);
+    void SetMovingTransform(Moving<AffineTransform> objectToWorld);
     /// Shows instances of the mesh in place of the mesh itself; none is nothing. Each map is
     /// applied after the mesh's own transform.
     void SetInstances(std::vector<AffineTransform> instanceToWorld);
+    /// @param instanceToWorld  every pose has as many
+    void SetMovingInstances(Moving<std::vector<AffineTransform>> instanceToWorld);
     /// Shows the mesh itself again.
     void ClearInstances();
     void SetVisible(bool visible);
@@ -96,6 +103,13 @@ class Mesh {
     void _TakePrimvarsBack(bool ofInstancesOnly);
     void _RebuildSurface(BuildReport* report);
     void _MoveSurface(BuildReport* report);
+    void _BuildMotion(BuildReport* report);
+    /// What is wrong with a pose of moving points; empty if nothing is.
+    std::string _CheckPose(const std::vector<Vec3f>& pose) const;
+    /// True if the surface or its place moves.
+    bool _IsMoving() const { return _motion.IsMoving() || _placement.IsMoving(); }
+    /// Moves the points of the surface to where they are at a time.
+    void _Pose(float time);
     void _BuildPrimvars(BuildReport* report);
     /// Looks for those primvars that shading asks for at every hit.
     void _NotePrimvarsForShading();
@@ -125,6 +139,8 @@ class Mesh {
     bool _pointsChanged = false;
     /// True if the points in use are those of the surface, and _points is empty.
     bool _pointsAreInSurface = false;
+    /// Kept while the points move.
+    Moving<std::vector<Vec3f>> _motion;
 
     std::unique_ptr<Surface> _surface;
     bool _isSurfaceUsable = false;

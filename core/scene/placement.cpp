@@ -1,5 +1,6 @@
 #include "core/scene/placement.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -24,20 +25,71 @@ bool HasUsableEntries(const AffineTransform& transform) {
 
 }  // namespace
 
-bool Placement::SetTransform(const AffineTransform& objectToWorld) {
-    return std::exchange(_objectToWorld, objectToWorld) != objectToWorld;
+bool Placement::SetTransform(Moving<AffineTransform> objectToWorld) {
+    std::swap(_objectToWorld, objectToWorld);
+    _NoteTimes();
+    return _objectToWorld != objectToWorld;
 }
 
-void Placement::SetInstances(std::vector<AffineTransform> instanceToWorld) {
+void Placement::SetInstances(Moving<std::vector<AffineTransform>> instanceToWorld) {
     _instances = std::move(instanceToWorld);
+    _NoteTimes();
 }
 
-bool Placement::ClearInstances() { return std::exchange(_instances, std::nullopt).has_value(); }
+bool Placement::ClearInstances() {
+    const bool wasInstanced = std::exchange(_instances, std::nullopt).has_value();
+    _NoteTimes();
+    return wasInstanced;
+}
 
-Placement::Obstacle Placement::Place(const Surface& surface, size_t index,
-                                     Instance* instance) const {
+AffineTransform Placement::_ObjectToWorld(size_t index, float time) const {
+    const auto own = _objectToWorld.At(time);
     const AffineTransform objectToWorld =
-        _instances ? (*_instances)[index] * _objectToWorld : _objectToWorld;
+        own.weight == 0 ? own.first : AffineTransform::Lerp(own.first, own.second, own.weight);
+    if (!_instances) {
+        return objectToWorld;
+    }
+    const auto of = _instances->At(time);
+    return (of.weight == 0
+                ? of.first[index]
+                : AffineTransform::Lerp(of.first[index], of.second[index], of.weight)) *
+           objectToWorld;
+}
+
+void Placement::_NoteTimes() {
+    _times = _objectToWorld.Times();
+    if (_instances) {
+        _times.insert(_times.end(), _instances->Times().begin(), _instances->Times().end());
+    }
+    _times.push_back(0);
+    std::sort(_times.begin(), _times.end());
+    _times.erase(std::unique(_times.begin(), _times.end()), _times.end());
+}
+
+/// Maps between two poses take a point to a place between those that the poses take it to; where
+/// two such maps follow each other, that holds for each.
+Box3f Placement::WorldBox(size_t index, const Box3f& box) const {
+    if (!IsMoving()) {
+        const AffineTransform objectToWorld = _ObjectToWorld(index, 0);
+        return objectToWorld == AffineTransform() ? box : objectToWorld.Box(box);
+    }
+    Box3f outer;
+    for (const AffineTransform& pose : _objectToWorld.Poses()) {
+        outer.Extend(pose.Box(box));
+    }
+    if (!_instances) {
+        return outer;
+    }
+    Box3f world;
+    for (const std::vector<AffineTransform>& pose : _instances->Poses()) {
+        world.Extend(pose[index].Box(outer));
+    }
+    return world;
+}
+
+Placement::Obstacle Placement::Place(const Surface& surface, size_t index, float time,
+                                     Instance* instance) const {
+    const AffineTransform objectToWorld = _ObjectToWorld(index, time);
     AffineTransform worldToObject;
     if (!HasUsableEntries(objectToWorld) || !objectToWorld.Invert(&worldToObject) ||
         !HasUsableEntries(worldToObject)) {
@@ -51,14 +103,24 @@ Placement::Obstacle Placement::Place(const Surface& surface, size_t index,
     return Obstacle::None;
 }
 
+Placement::Obstacle Placement::FindObstacle(const Surface& surface, size_t index) const {
+    for (const float time : _times) {
+        Instance instance;
+        const Obstacle obstacle = Place(surface, index, time, &instance);
+        if (obstacle != Obstacle::None) {
+            return obstacle;
+        }
+    }
+    return Obstacle::None;
+}
+
 Placement::Obstacles Placement::FindObstacles(const Surface& surface) const {
     constexpr size_t kGrainSize = 1024;
     return tbb::parallel_reduce(
         tbb::blocked_range<size_t>(0, Count(), kGrainSize), Obstacles{},
         [&](const tbb::blocked_range<size_t>& part, Obstacles sum) {
             for (size_t i = part.begin(); i < part.end(); ++i) {
-                Instance instance;
-                const Obstacle obstacle = Place(surface, i, &instance);
+                const Obstacle obstacle = FindObstacle(surface, i);
                 sum.singular += obstacle == Obstacle::Singular;
                 sum.tooLarge += obstacle == Obstacle::TooLarge;
             }
@@ -80,6 +142,16 @@ std::vector<std::string> Placement::Describe(const Obstacles& obstacles) const {
                                      "are too large once transformed"));
     }
     return lines;
+}
+
+size_t Placement::Bytes() const {
+    size_t bytes = 0;
+    if (_instances) {
+        for (const std::vector<AffineTransform>& pose : _instances->Poses()) {
+            bytes += pose.capacity() * sizeof(AffineTransform);
+        }
+    }
+    return bytes;
 }
 
 std::string Placement::_DescribeOne(size_t count, const char* ofMesh,

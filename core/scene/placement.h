@@ -6,28 +6,39 @@
 #include <vector>
 
 #include "core/math/transform.h"
+#include "core/scene/moving.h"
 #include "core/trace/instance.h"
 
 namespace cc {
 
-/// Where a mesh stands in the world: in one place, or wherever its instances are.
+/// Where a mesh stands in the world: in one place, or wherever its instances are. Both may move: the
+/// numbers of their transforms change steadily from pose to pose.
 class Placement {
   public:
     /// Moves the mesh, each instance of it in that instance's own space.
     /// Returns true if that changes anything.
-    bool SetTransform(const AffineTransform& objectToWorld);
+    bool SetTransform(Moving<AffineTransform> objectToWorld);
     /// Puts instances in the place of the mesh itself; none is nowhere. Each map is applied after
     /// the mesh's own transform.
-    void SetInstances(std::vector<AffineTransform> instanceToWorld);
+    /// @param instanceToWorld  every pose has as many
+    void SetInstances(Moving<std::vector<AffineTransform>> instanceToWorld);
     /// Puts the mesh itself back. Returns true if there were instances.
     bool ClearInstances();
 
     bool IsInstanced() const { return _instances.has_value(); }
-    size_t Count() const { return _instances ? _instances->size() : 1; }
+    size_t Count() const { return _instances ? _instances->Poses()[0].size() : 1; }
+    bool IsMoving() const {
+        return _objectToWorld.IsMoving() || (_instances && _instances->IsMoving());
+    }
 
     enum class Obstacle { None, Singular, TooLarge };
-    /// Puts a surface into a place, 0..Count()-1. If that cannot be, the instance is left alone.
-    Obstacle Place(const Surface& surface, size_t index, Instance* instance) const;
+    /// Puts a surface into a place, 0..Count()-1, as it is at a time (Moving). If that cannot be,
+    /// the instance is left alone.
+    Obstacle Place(const Surface& surface, size_t index, float time, Instance* instance) const;
+    /// What keeps a surface from a place at the time of some pose, or at time 0.
+    Obstacle FindObstacle(const Surface& surface, size_t index) const;
+    /// Bounds in the world of a box that is in a place at all times.
+    Box3f WorldBox(size_t index, const Box3f& box) const;
 
     /// What keeps a surface from how many of its places.
     struct Obstacles {
@@ -38,22 +49,24 @@ class Placement {
             return singular == b.singular && tooLarge == b.tooLarge;
         }
     };
-    /// Tries all places, in parallel.
+    /// Looks for those of all places, in parallel.
     Obstacles FindObstacles(const Surface& surface) const;
     /// Says them in lines for people, without the mesh's name.
     std::vector<std::string> Describe(const Obstacles& obstacles) const;
 
     /// Memory held, in bytes.
-    size_t Bytes() const {
-        return _instances ? _instances->capacity() * sizeof(AffineTransform) : 0;
-    }
+    size_t Bytes() const;
 
   private:
     std::string _DescribeOne(size_t count, const char* ofMesh, const char* ofInstances) const;
+    AffineTransform _ObjectToWorld(size_t index, float time) const;
+    void _NoteTimes();
 
-    AffineTransform _objectToWorld;
+    Moving<AffineTransform> _objectToWorld;
     /// Without a value the mesh is not instanced.
-    std::optional<std::vector<AffineTransform>> _instances;
+    std::optional<Moving<std::vector<AffineTransform>>> _instances;
+    /// Those of all poses, and 0.
+    std::vector<float> _times{0};
 };
 
 }  // namespace cc

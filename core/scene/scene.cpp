@@ -44,6 +44,11 @@ bool IsBefore(const Light& a, const Light& b) {
     return std::memcmp(keyA.data(), keyB.data(), sizeof(keyA)) < 0;
 }
 
+bool IsPlaced(const Placement& placement, const Surface& surface, size_t index, float time,
+              Instance* instance) {
+    return placement.Place(surface, index, time, instance) == Placement::Obstacle::None;
+}
+
 double SecondsSince(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
@@ -96,6 +101,7 @@ std::vector<std::string> Scene::Build(const std::vector<std::string>& renderTags
     std::vector<std::string> lines;
     const bool meshesChanged = _BuildMeshes(meshes, &lines);
     _BuildTopLevel(meshes, meshesChanged);
+    SetTime(0);
     _Tessellate(tessellationLevel, &lines);
     _work.buildSeconds = SecondsSince(start);
     return lines;
@@ -128,7 +134,9 @@ void Scene::_BuildTopLevel(const std::vector<Mesh*>& meshes, bool meshesChanged)
     }
     _shown = std::move(shown);
     _instances = {};  // before there is another one
-    _instances = InstanceBvh(_PlaceInstances());
+    _instances = InstanceBvh(_PlaceInstances(), [&](size_t i, const Box3f& box) {
+        return _shown[_origins[i].mesh]->_placement.WorldBox(_origins[i].index, box);
+    });
     ++_work.topLevelsBuilt;
 }
 
@@ -142,7 +150,13 @@ std::vector<Instance> Scene::_PlaceInstances() {
     tbb::parallel_for(size_t(0), _shown.size(), [&](size_t m) {
         const Mesh& mesh = *_shown[m];
         tbb::parallel_for(size_t(0), mesh._placement.Count(), [&, m](size_t i) {
-            mesh._placement.Place(*mesh.BuiltSurface(), i, &instances[firsts[m] + i]);
+            const Surface& surface = *mesh.BuiltSurface();
+            const bool isLeftOut =
+                mesh._placement.IsMoving() &&
+                mesh._placement.FindObstacle(surface, i) != Placement::Obstacle::None;
+            if (!isLeftOut) {
+                mesh._placement.Place(surface, i, 0, &instances[firsts[m] + i]);
+            }
             _origins[firsts[m] + i] = {static_cast<uint32_t>(m), static_cast<uint32_t>(i)};
         });
     });
@@ -156,6 +170,36 @@ std::vector<Instance> Scene::_PlaceInstances() {
     instances.resize(placed);
     _origins.resize(placed);
     return instances;
+}
+
+bool Scene::IsMoving() const {
+    return std::any_of(_shown.begin(), _shown.end(),
+                       [](const Mesh* mesh) { return mesh->_IsMoving(); });
+}
+
+void Scene::SetTime(float time) {
+    if (!IsMoving()) {
+        return;
+    }
+    _time = time;
+    for (const auto& mesh : _meshes) {
+        if (mesh->_IsShown()) {
+            mesh->_Pose(time);
+        }
+    }
+    tbb::parallel_for(size_t(0), _origins.size(), [&](size_t i) { _MoveInstance(i); });
+}
+
+/// Where a place has no transform between two poses, the mesh is shown as it is at time 0.
+void Scene::_MoveInstance(size_t instance) {
+    const Origin origin = _origins[instance];
+    const Placement& placement = _shown[origin.mesh]->_placement;
+    Instance moved;
+    const Surface& surface = *_shown[origin.mesh]->BuiltSurface();
+    if (placement.IsMoving() && (IsPlaced(placement, surface, origin.index, _time, &moved) ||
+                                 IsPlaced(placement, surface, origin.index, 0, &moved))) {
+        _instances.Move(instance, moved.objectToWorld, moved.worldToObject);
+    }
 }
 
 int Scene::PrimvarArity(const std::string& name) const {

@@ -12,7 +12,7 @@
 
 namespace cc {
 
-/// Everything a picture shows but the camera. Meshes and lights may be added, set and removed from
+/// Everything a picture shows but the camera, at one time after the other if it moves. Meshes and lights may be added, set and removed from
 /// any thread between two calls of Build; during Build and rendering the scene must rest.
 class Scene {
   public:
@@ -36,8 +36,14 @@ class Scene {
     std::vector<std::string> Build(const std::vector<std::string>& renderTags,
                                    std::optional<int> tessellationLevel = std::nullopt);
 
+    /// Shows what moves as it is at a time: in frames from the one that is rendered, which Build
+    /// leaves it at. To be called between two renderings, not while one goes on.
+    void SetTime(float time);
+
     // After Build:
 
+    /// True if anything moves that is seen.
+    bool IsMoving() const;
     const InstanceBvh& Instances() const { return _instances; }
     /// False if the last Build did not tessellate, because memory does not hold what that takes.
     bool TessellationFits() const { return _tessellationFits; }
@@ -69,6 +75,7 @@ class Scene {
     void _BuildTopLevel(const std::vector<Mesh*>& meshes, bool meshesChanged);
     /// Instances of what is shown, and their origins.
     std::vector<Instance> _PlaceInstances();
+    void _MoveInstance(size_t instance);
     void _Tessellate(std::optional<int> level, std::vector<std::string>* lines);
 
     std::mutex _mutex;
@@ -84,6 +91,7 @@ class Scene {
     std::vector<Origin> _origins;
     std::optional<int> _tessellationLevel;
     bool _tessellationFits = true;
+    float _time = 0;
     /// Only the counts of work and the time; the rest is added up when asked for.
     Statistics _work;
 };

@@ -181,6 +181,13 @@ ChordErrors::ChordErrors(const PatchTable& patches, const LimitGridPlans& plans,
     tbb::parallel_for(all, measure, tbb::simple_partitioner());
 }
 
+void ChordErrors::Raise(const ChordErrors& others) {
+    for (size_t i = 0; i < std::min(_bytes.size(), others._bytes.size()); ++i) {
+        _bytes[i] = std::max(_bytes[i], others._bytes[i]);
+    }
+    _largest = std::max(_largest, others._largest);
+}
+
 float ChordErrors::_Decode(uint8_t byte) {
     static const std::array<float, 256> kDecoded = MakeDecoded();
     return kDecoded[byte];

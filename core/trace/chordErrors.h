@@ -24,6 +24,9 @@ class ChordErrors {
     ChordErrors(const PatchTable& patches, const LimitGridPlans& plans,
                 const std::vector<Vec3f>& points, float unit);
 
+    /// Takes the larger ones of these and others of the same surface, made with the same unit.
+    void Raise(const ChordErrors& others);
+
     float At(uint32_t point) const { return _unit * _Decode(_bytes[point]); }
     float Largest() const { return _unit * _Decode(_largest); }
     size_t Bytes() const { return _bytes.capacity(); }

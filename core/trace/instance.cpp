@@ -21,7 +21,8 @@ struct PlacedPart {
 /// Opens instances into parts, the largest first.
 class PartOpener {
   public:
-    explicit PartOpener(const std::vector<Instance>& instances) : _instances(instances) {
+    PartOpener(const std::vector<Instance>& instances, const InstanceBvh::WorldBox& worldBox)
+        : _instances(instances), _worldBox(worldBox) {
         for (uint32_t i = 0; i < instances.size(); ++i) {
             const Bvh& bvh = instances[i].surface->PatchBvh();
             if (!bvh.IsEmpty()) {
@@ -70,8 +71,7 @@ class PartOpener {
     }
 
     void _Add(const InstancePart& part, const Box3f& box) {
-        const Instance& instance = _instances[part.instance];
-        const Box3f placed = instance.isInPlace ? box : instance.objectToWorld.Box(box);
+        const Box3f placed = _worldBox(part.instance, box);
         if ((_Child(part) & kBvhLeaf) != 0) {
             _parts.push_back({part, placed});
             return;
@@ -81,6 +81,7 @@ class PartOpener {
     }
 
     const std::vector<Instance>& _instances;
+    const InstanceBvh::WorldBox& _worldBox;
     std::priority_queue<Inner> _inner;
     std::vector<PlacedPart> _parts;
 };
@@ -88,17 +89,37 @@ class PartOpener {
 }  // namespace
 
 InstanceBvh::InstanceBvh(std::vector<Instance> instances) : _instances(std::move(instances)) {
+    _Build([&](size_t i, const Box3f& box) {
+        const Instance& instance = _instances[i];
+        return instance.isInPlace ? box : instance.objectToWorld.Box(box);
+    });
+}
+
+InstanceBvh::InstanceBvh(std::vector<Instance> instances, const WorldBox& worldBox)
+    : _instances(std::move(instances)) {
+    _Build(worldBox);
+}
+
+void InstanceBvh::Move(size_t index, const AffineTransform& objectToWorld,
+                       const AffineTransform& worldToObject) {
+    Instance& instance = _instances[index];
+    instance.objectToWorld = objectToWorld;
+    instance.worldToObject = worldToObject;
+    instance.isInPlace = objectToWorld == AffineTransform();
+}
+
+void InstanceBvh::_Build(const WorldBox& worldBox) {
     std::vector<Box3f> boxes(_instances.size());
     tbb::parallel_for(size_t(0), _instances.size(), [&](size_t i) {
         Instance& instance = _instances[i];
         instance.isInPlace = instance.objectToWorld == AffineTransform();
-        boxes[i] = instance.objectToWorld.Box(instance.surface->Bounds());
+        boxes[i] = worldBox(i, instance.surface->Bounds());
     });
     _bvh = Bvh(boxes);
 
     const size_t count = _instances.size();
     const std::vector<PlacedPart> parts =
-        PartOpener(_instances).Open(std::min(kMostPartsEach * count, kMostMoreParts + count));
+        PartOpener(_instances, worldBox).Open(std::min(kMostPartsEach * count, kMostMoreParts + count));
     boxes.clear();
     for (const PlacedPart& placed : parts) {
         _parts.push_back(placed.part);

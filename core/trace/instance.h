@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "core/bvh/bvh.h"
@@ -35,8 +36,19 @@ struct InstancePart {
 /// re-braiding).
 class InstanceBvh {
   public:
+    /// Gives the bounds in the world of a box of an instance's surface, wherever the instance moves.
+    using WorldBox = std::function<Box3f(size_t instance, const Box3f& box)>;
+
     InstanceBvh() = default;
+    /// Of instances that rest.
     explicit InstanceBvh(std::vector<Instance> instances);
+    /// @param worldBox  may be called from many threads
+    InstanceBvh(std::vector<Instance> instances, const WorldBox& worldBox);
+
+    /// Puts an instance elsewhere in what bounds it. Different ones may be moved from different
+    /// threads.
+    void Move(size_t index, const AffineTransform& objectToWorld,
+              const AffineTransform& worldToObject);
 
     const std::vector<Instance>& Instances() const { return _instances; }
     /// Its primitives are instances.
@@ -51,6 +63,8 @@ class InstanceBvh {
     Box3f Bounds() const { return _bvh.Bounds(); }
 
   private:
+    void _Build(const WorldBox& worldBox);
+
     std::vector<Instance> _instances;
     Bvh _bvh;
     std::vector<InstancePart> _parts;

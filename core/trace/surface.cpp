@@ -34,6 +34,23 @@ void SnapToLattice(std::vector<Vec3f>* points) {
     });
 }
 
+/// Room for the rounding of points between poses.
+constexpr float kPoseMargin = 2e-7f;
+
+/// Extends boxes by others, and both by the rounding of what is between them.
+void ExtendBoxes(const std::vector<Box3f>& others, std::vector<Box3f>* boxes) {
+    for (size_t i = 0; i < boxes->size(); ++i) {
+        Box3f& box = (*boxes)[i];
+        box.Extend(others[i]);
+        for (int axis = 0; axis < 3; ++axis) {
+            const float margin =
+                kPoseMargin * (std::fabs(box.lower[axis]) + std::fabs(box.upper[axis]));
+            box.lower[axis] -= margin;
+            box.upper[axis] += margin;
+        }
+    }
+}
+
 }  // namespace
 
 Surface::Surface(const ControlMesh& mesh, const std::vector<Vec3f>& points) {
@@ -49,6 +66,35 @@ void Surface::SetPoints(const std::vector<Vec3f>& points) {
     SnapToLattice(&_patchPoints);
     _bvh.Move(LookAheadBounds(_patches, _plans, _patchPoints.data()));
     _errors = ChordErrors(_patches, _plans, _patchPoints, Bounds().Diagonal());
+}
+
+void Surface::SetPoses(const std::vector<std::vector<Vec3f>>& poses) {
+    DropTessellation();
+    std::vector<std::vector<Vec3f>> patchPoints;
+    std::vector<Box3f> boxes;
+    for (const std::vector<Vec3f>& pose : poses) {
+        patchPoints.push_back(_patches.PatchPoints(pose));
+        SnapToLattice(&patchPoints.back());
+        std::vector<Box3f> ofPose = LookAheadBounds(_patches, _plans, patchPoints.back().data());
+        if (boxes.empty()) {
+            boxes = std::move(ofPose);
+        } else {
+            ExtendBoxes(ofPose, &boxes);
+        }
+    }
+    _bvh.Move(boxes);
+    _errors = {};
+    for (const std::vector<Vec3f>& points : patchPoints) {
+        ChordErrors errors(_patches, _plans, points, Bounds().Diagonal());
+        errors.Raise(_errors);
+        _errors = std::move(errors);
+    }
+}
+
+void Surface::Pose(const std::vector<Vec3f>& points) {
+    DropTessellation();
+    _patchPoints = _patches.PatchPoints(points);
+    SnapToLattice(&_patchPoints);
 }
 
 const Tessellation& Surface::TessellationAt(int level) const {

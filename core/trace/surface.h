@@ -28,6 +28,13 @@ class Surface {
     /// follows them (Bvh::Move).
     void SetPoints(const std::vector<Vec3f>& points);
 
+    /// Makes bounds and errors hold for several poses of the control points, and for all that is
+    /// between any two of them.
+    /// @param poses  each has as many points as before
+    void SetPoses(const std::vector<std::vector<Vec3f>>& poses);
+    /// Moves the control points to between two of the poses.
+    void Pose(const std::vector<Vec3f>& points);
+
     /// Why the topology cannot be used; empty if it can.
     const std::string& Error() const { return _error; }
 

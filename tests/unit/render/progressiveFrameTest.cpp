@@ -37,15 +37,15 @@ class ProgressiveFrameTest : public testing::Test {
         return options;
     }
 
-    std::unique_ptr<ProgressiveFrame> Frame(const RenderOptions& options) const {
-        return std::make_unique<ProgressiveFrame>(scene, CameraAt(6), options, kWidth, kHeight,
+    std::unique_ptr<ProgressiveFrame> Frame(const RenderOptions& options) {
+        return std::make_unique<ProgressiveFrame>(&scene, CameraAt(6), options, kWidth, kHeight,
                                                   aovs);
     }
 
-    std::string BitsInOneGo(int samples) const {
+    std::string BitsInOneGo(int samples) {
         Film film(kWidth, kHeight, aovs);
         RenderStatistics statistics;
-        EXPECT_TRUE(RenderFrame(scene, CameraAt(6), Options(samples, 1), &film, &statistics,
+        EXPECT_TRUE(RenderFrame(&scene, CameraAt(6), Options(samples, 1), &film, &statistics,
                                 nullptr, nullptr));
         return Bits(film);
     }
@@ -157,7 +157,7 @@ TEST_F(ProgressiveFrameTest, BlocksLieWhereTheirPixelsDo) {
     scene.Build({"geometry"});
     Film film(kWidth, kHeight, aovs);
     RenderStatistics statistics;
-    RenderFrame(scene, CameraAt(6), Options(1, 2), &film, &statistics, nullptr, nullptr);
+    RenderFrame(&scene, CameraAt(6), Options(1, 2), &film, &statistics, nullptr, nullptr);
     const float* fine = film.Floats(Aov::CameraDepth);
     const auto frame = Frame(Options(4, 2));
     for (const int size : {16, 8, 4}) {
@@ -184,7 +184,7 @@ TEST_F(ProgressiveFrameTest, BlocksLieWhereTheirPixelsDo) {
 TEST_F(ProgressiveFrameTest, ACameraThatShowsNothingLeavesBackground) {
     Camera flat = CameraAt(6);
     flat.cameraToWorld = Placed(0, 0, 0, 0);
-    ProgressiveFrame frame(scene, flat, Options(2, 2), 8, 8, aovs);
+    ProgressiveFrame frame(&scene, flat, Options(2, 2), 8, 8, aovs);
     while (!frame.IsDone()) {
         EXPECT_TRUE(frame.RenderPass(nullptr, nullptr));
         EXPECT_EQ(frame.TakePicture().Ints(Aov::PrimId)[0], -1);
@@ -192,7 +192,7 @@ TEST_F(ProgressiveFrameTest, ACameraThatShowsNothingLeavesBackground) {
 }
 
 TEST_F(ProgressiveFrameTest, NoPixelsAreNoWork) {
-    ProgressiveFrame frame(scene, CameraAt(6), Options(2, 2), 0, 5, aovs);
+    ProgressiveFrame frame(&scene, CameraAt(6), Options(2, 2), 0, 5, aovs);
     while (!frame.IsDone()) {
         EXPECT_TRUE(frame.RenderPass(nullptr, nullptr));
     }

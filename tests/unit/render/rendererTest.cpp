@@ -23,7 +23,7 @@ Film Render(Scene* scene, const Camera& camera, const RenderOptions& options = O
     scene->Build({"geometry"});
     Film film(width, height, kAllAovs);
     RenderStatistics statistics;
-    EXPECT_TRUE(RenderFrame(*scene, camera, options, &film, &statistics, nullptr, nullptr));
+    EXPECT_TRUE(RenderFrame(scene, camera, options, &film, &statistics, nullptr, nullptr));
     return film;
 }
 
@@ -58,7 +58,7 @@ TEST(RenderFrame, ColorThroughALensDoesNotDependOnOtherAovs) {
     const Film all = Render(&scene, CameraOutOfFocus(), Options(16));
     Film alone(24, 20, {Aov::Color});
     RenderStatistics statistics;
-    RenderFrame(scene, CameraOutOfFocus(), Options(16), &alone, &statistics, nullptr, nullptr);
+    RenderFrame(&scene, CameraOutOfFocus(), Options(16), &alone, &statistics, nullptr, nullptr);
     EXPECT_EQ(std::memcmp(all.Floats(Aov::Color), alone.Floats(Aov::Color), 16 * 24 * 20), 0);
 }
 
@@ -116,7 +116,7 @@ TEST(RenderFrame, PrimvarsAreThoseOfTheMeshThatIsSeen) {
     const Aov st(Aov::Primvar, "st", 2), heat(Aov::Primvar, "heat", 1);
     Film film(20, 20, {heat, st});
     RenderStatistics statistics;
-    RenderFrame(scene, CameraAt(4), Options(), &film, &statistics, nullptr, nullptr);
+    RenderFrame(&scene, CameraAt(4), Options(), &film, &statistics, nullptr, nullptr);
     for (int y = 0; y < 20; ++y) {
         for (int x = 0; x < 20; ++x) {
             const int i = y * 20 + x;
@@ -290,7 +290,7 @@ TEST(RenderFrame, RendersAovsWithoutColor) {
     scene.Build({"geometry"});
     Film film(8, 8, {Aov::ElementId});
     RenderStatistics statistics;
-    ASSERT_TRUE(RenderFrame(scene, CameraAt(2), Options(16), &film, &statistics, nullptr, nullptr));
+    ASSERT_TRUE(RenderFrame(&scene, CameraAt(2), Options(16), &film, &statistics, nullptr, nullptr));
     EXPECT_EQ(film.Ints(Aov::ElementId)[0], 0);
     EXPECT_EQ(statistics.primaryRays, 64u);
 }
@@ -304,7 +304,7 @@ TEST(RenderFrame, CountsRaysAndProgress) {
     RenderStatistics statistics;
     std::atomic<int64_t> progress{5};
     ASSERT_TRUE(
-        RenderFrame(scene, CameraAt(2), Options(3), &film, &statistics, &progress, nullptr));
+        RenderFrame(&scene, CameraAt(2), Options(3), &film, &statistics, &progress, nullptr));
     EXPECT_EQ(progress, 5 + 3 * 19 * 13);
     EXPECT_EQ(statistics.primaryRays, 3u * 19 * 13);
     EXPECT_EQ(statistics.shadowRays, 3u * 19 * 13);
@@ -320,7 +320,7 @@ TEST(RenderFrame, CountsThreadsThatHadAPart) {
     scene.Build({"geometry"});
     Film film(8, 8, {Aov::PrimId});  // a single tile
     RenderStatistics statistics;
-    RenderFrame(scene, CameraAt(2), Options(1, 4), &film, &statistics, nullptr, nullptr);
+    RenderFrame(&scene, CameraAt(2), Options(1, 4), &film, &statistics, nullptr, nullptr);
     EXPECT_EQ(statistics.threads, 1);
 }
 
@@ -332,7 +332,7 @@ TEST(RenderFrame, StopsWhenAsked) {
     RenderStatistics statistics;
     std::atomic<int64_t> progress{0};
     const std::atomic<bool> stop{true};
-    EXPECT_FALSE(RenderFrame(scene, CameraAt(2), Options(), &film, &statistics, &progress, &stop));
+    EXPECT_FALSE(RenderFrame(&scene, CameraAt(2), Options(), &film, &statistics, &progress, &stop));
     EXPECT_EQ(progress, 0);
 }
 
@@ -349,13 +349,13 @@ TEST(RenderFrame, AnEmptySceneOrCameraIsBackground) {
     film.Ints(Aov::PrimId)[0] = 3;
     RenderStatistics statistics;
     std::atomic<int64_t> progress{0};
-    EXPECT_TRUE(RenderFrame(scene, flat, Options(), &film, &statistics, &progress, nullptr));
+    EXPECT_TRUE(RenderFrame(&scene, flat, Options(), &film, &statistics, &progress, nullptr));
     EXPECT_EQ(film.Ints(Aov::PrimId)[0], -1);
     EXPECT_EQ(progress, 64);
 
     Film nothing(0, 0, kAllAovs);
     EXPECT_TRUE(
-        RenderFrame(scene, CameraAt(2), Options(), &nothing, &statistics, nullptr, nullptr));
+        RenderFrame(&scene, CameraAt(2), Options(), &nothing, &statistics, nullptr, nullptr));
 }
 
 }  // namespace

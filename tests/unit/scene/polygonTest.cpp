@@ -51,7 +51,7 @@ Film Render(Scene* scene, std::vector<Aov> aovs) {
     EXPECT_TRUE(scene->Build({"geometry"}).empty());
     Film film(kSize, kSize, std::move(aovs));
     RenderStatistics statistics;
-    RenderFrame(*scene, CameraAt(4), OneSample(), &film, &statistics, nullptr, nullptr);
+    RenderFrame(scene, CameraAt(4), OneSample(), &film, &statistics, nullptr, nullptr);
     return film;
 }
 
@@ -159,7 +159,7 @@ struct NormalOfSquare {
         lines = scene.Build({"geometry"});
         Film film(1, 1, {Aov::Normal});
         RenderStatistics statistics;
-        RenderFrame(scene, CameraAt(4), OneSample(), &film, &statistics, nullptr, nullptr);
+        RenderFrame(&scene, CameraAt(4), OneSample(), &film, &statistics, nullptr, nullptr);
         const float* n = film.Floats(Aov::Normal);
         normal = {n[0], n[1], n[2]};
     }
@@ -234,7 +234,7 @@ float Brightness(const Vec3f& normal, const Vec3f& towardsLight) {
     scene.Build({"geometry"});
     Film film(1, 1, {Aov::Color});
     RenderStatistics statistics;
-    RenderFrame(scene, CameraAt(4), OneSample(), &film, &statistics, nullptr, nullptr);
+    RenderFrame(&scene, CameraAt(4), OneSample(), &film, &statistics, nullptr, nullptr);
     return film.Floats(Aov::Color)[0];
 }
 

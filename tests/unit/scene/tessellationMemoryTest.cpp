@@ -77,7 +77,7 @@ TEST(TessellationMemory, WhatDoesNotFitIsRefusedAndPacketsTrace) {
     options.samples = 1;
     Film film(8, 8, {});
     RenderStatistics statistics;
-    EXPECT_TRUE(RenderFrame(scene, CameraAt(50), options, &film, &statistics, nullptr, nullptr));
+    EXPECT_TRUE(RenderFrame(&scene, CameraAt(50), options, &film, &statistics, nullptr, nullptr));
     EXPECT_GT(statistics.primaryRays, 0u);
     EXPECT_EQ(mesh->BuiltSurface()->TessellationBytes(), 0u);
 
