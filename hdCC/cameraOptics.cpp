@@ -13,13 +13,15 @@ PXR_NAMESPACE_OPEN_SCOPE
 
 bool HdCCCameraOptics::operator==(HdCCCameraOptics const &b) const {
     return lensRadius == b.lensRadius && focusDistance == b.focusDistance &&
-           exposure == b.exposure && clipPlanes == b.clipPlanes;
+           exposure == b.exposure && shutter == b.shutter && clipPlanes == b.clipPlanes;
 }
 
 void HdCCCameraOptics::Apply(cc::Camera *camera) const {
     camera->lensRadius = lensRadius;
     camera->focusDistance = focusDistance;
     camera->exposure = exposure;
+    camera->shutterOpen = shutter.open;
+    camera->shutterClose = shutter.close;
     for (GfVec4d const &plane : clipPlanes) {
         camera->clipPlanes.push_back(
             {HdCCToVec3f(GfVec3f(float(plane[0]), float(plane[1]), float(plane[2]))),
@@ -70,6 +72,18 @@ static float _ReadExposure(HdCamera const &camera, std::vector<std::string> *war
     return 1;
 }
 
+static HdCCShutter _ReadShutter(HdCamera const &camera, std::vector<std::string> *warnings) {
+    const HdCCShutter shutter{float(camera.GetShutterOpen()), float(camera.GetShutterClose())};
+    if (shutter.open <= shutter.close && std::isfinite(shutter.open) &&
+        std::isfinite(shutter.close)) {
+        return shutter;
+    }
+    warnings->push_back(
+        TfStringPrintf("shutter:open is %g and shutter:close is %g; nothing is blurred by motion",
+                       shutter.open, shutter.close));
+    return {};
+}
+
 /// A plane whose numbers are so large or small that single precision loses them counts as none.
 static bool _IsPlane(GfVec4d const &plane) {
     const GfVec4f p(plane);
@@ -83,6 +97,7 @@ HdCCCameraOptics HdCCReadOptics(HdCamera const &camera, std::vector<GfVec4d> con
     HdCCCameraOptics optics;
     _ReadLens(camera, &optics, warnings);
     optics.exposure = _ReadExposure(camera, warnings);
+    optics.shutter = _ReadShutter(camera, warnings);
     for (GfVec4d const &plane : clipPlanes) {
         if (_IsPlane(plane)) {
             optics.clipPlanes.push_back(plane);

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "core/math/transform.h"
+#include "core/scene/moving.h"
 #include "core/scene/primvar.h"
 
-#include "pxr/base/vt/value.h"
 #include "pxr/imaging/hd/instancer.h"
 #include "pxr/pxr.h"
 
@@ -25,8 +25,9 @@ class HdCCInstancer final : public HdInstancer {
 
     void Sync(HdSceneDelegate *delegate, HdRenderParam *param, HdDirtyBits *dirtyBits) override;
 
-    /// The maps to the world of all instances of a prototype, nested ones multiplied out.
-    std::vector<cc::AffineTransform> ComputeInstances(SdfPath const &prototype) const;
+    /// The maps to the world of all instances of a prototype, nested ones multiplied out, as they
+    /// move while the shutter is open.
+    cc::Moving<std::vector<cc::AffineTransform>> ComputeInstances(SdfPath const &prototype) const;
 
     /// Finds a primvar that this instancer has, or else one around it, and spreads it over the
     /// instances of a prototype. Returns false if there is none.
@@ -36,12 +37,9 @@ class HdCCInstancer final : public HdInstancer {
 
   private:
     HdCCInstancer const *_Parent() const;
-    /// The map of an element of the instancer's arrays to the instancer's own space and then the
-    /// world, its parents left aside.
-    class _ElementTransforms;
+    class _Elements;
 
     HdCCRenderParam *_param = nullptr;
-    VtValue _translations, _rotations, _scales, _transforms;
 };
 
 PXR_NAMESPACE_CLOSE_SCOPE

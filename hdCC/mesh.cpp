@@ -13,6 +13,7 @@
 
 #include "hdCC/convert.h"
 #include "hdCC/instancer.h"
+#include "hdCC/motion.h"
 #include "hdCC/primvars.h"
 #include "hdCC/renderParam.h"
 
@@ -21,7 +22,7 @@ PXR_NAMESPACE_OPEN_SCOPE
 TF_DEFINE_PRIVATE_TOKENS(_tokens, (points)(displayColor)(normals));
 
 HdCCMesh::HdCCMesh(SdfPath const &id, HdCCRenderParam *param)
-    : HdMesh(id), _mesh(param->GetScene()->AddMesh(id.GetString())) {
+    : HdMesh(id), _mesh(param->GetScene()->AddMesh(id.GetString())), _param(param) {
     _mesh->SetVisible(false);
     param->AddMesh(this);
 }
@@ -80,7 +81,7 @@ void HdCCMesh::Sync(HdSceneDelegate *delegate, HdRenderParam *param, HdDirtyBits
         _SyncPrimvars(delegate, shared->GetPrimvarsAskedFor());
     }
     if (bits & HdChangeTracker::DirtyTransform) {
-        _mesh->SetTransform(HdCCToTransform(delegate->GetTransform(GetId())));
+        _SyncTransform(delegate);
     }
     if (bits & (HdChangeTracker::DirtyDoubleSided | HdChangeTracker::DirtyCullStyle)) {
         _SyncSides(delegate);
@@ -122,17 +123,39 @@ static VtValue _ComputedPoints(HdSceneDelegate *delegate, SdfPath const &id) {
 }
 
 void HdCCMesh::_SyncPoints(HdSceneDelegate *delegate) {
-    VtValue value = _ComputedPoints(delegate, GetId());
-    if (value.IsEmpty()) {
-        value = delegate->Get(GetId(), _tokens->points);
+    const VtValue computed = _ComputedPoints(delegate, GetId());
+    const cc::Moving<VtValue> values =
+        computed.IsEmpty()
+            ? HdCCSamplePrimvar(delegate, GetId(), _tokens->points, _param->GetShutter())
+            : cc::Moving<VtValue>(computed);
+    _hasPoints = true;
+    cc::Moving<std::vector<cc::Vec3f>> points =
+        HdCCConvertPoses<std::vector<cc::Vec3f>>(values, [&](VtValue const &value) {
+            std::vector<cc::Vec3f> pose;
+            if (!HdCCToVec3fs(value, &pose) && _hasPoints) {
+                _hasPoints = false;
+                TF_WARN("<%s>: points have the type %s, not point3f[]; the mesh is left out",
+                        GetId().GetText(), value.GetTypeName().c_str());
+            }
+            return pose;
+        });
+    if (points.IsMoving()) {
+        _mesh->SetMovingPoints(std::move(points));
+    } else {
+        _mesh->SetPoints(std::move(points.Poses().front()));
     }
-    std::vector<cc::Vec3f> points;
-    _hasPoints = HdCCToVec3fs(value, &points);
-    if (!_hasPoints) {
-        TF_WARN("<%s>: points have the type %s, not point3f[]; the mesh is left out",
-                GetId().GetText(), value.GetTypeName().c_str());
+}
+
+void HdCCMesh::_SyncTransform(HdSceneDelegate *delegate) {
+    _mesh->SetMovingTransform(HdCCSampleTransform(delegate, GetId(), _param->GetShutter()));
+}
+
+void HdCCMesh::SyncLateMotion() {
+    if (_delegate) {
+        _SyncPoints(_delegate);
+        _SyncTransform(_delegate);
+        _SyncInstances(_delegate);
     }
-    _mesh->SetPoints(std::move(points));
 }
 
 void HdCCMesh::_SyncPrimvar(HdSceneDelegate *delegate, TfToken const &name) {
@@ -202,9 +225,9 @@ void HdCCMesh::_SyncInstances(HdSceneDelegate *delegate) {
         _hasInstances = true;
         return;
     }
-    std::vector<cc::AffineTransform> instances = instancer->ComputeInstances(GetId());
-    _hasInstances = !instances.empty();
-    _mesh->SetInstances(std::move(instances));
+    cc::Moving<std::vector<cc::AffineTransform>> instances = instancer->ComputeInstances(GetId());
+    _hasInstances = !instances.Poses().front().empty();
+    _mesh->SetMovingInstances(std::move(instances));
 }
 
 void HdCCMesh::UpdateRenderTag(HdSceneDelegate *delegate, HdRenderParam *param) {

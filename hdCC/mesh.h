@@ -25,6 +25,8 @@ class HdCCMesh final : public HdMesh {
 
     /// Syncs a primvar that is asked for after the mesh was synced; if it has not been, nothing.
     void SyncLatePrimvar(TfToken const &name);
+    /// Syncs what moves, when another shutter is asked for after the mesh was synced.
+    void SyncLateMotion();
 
     HdDirtyBits GetInitialDirtyBitsMask() const override;
 
@@ -35,6 +37,7 @@ class HdCCMesh final : public HdMesh {
   private:
     void _SyncTopology(HdSceneDelegate *delegate, HdCCRenderParam *param);
     void _SyncPoints(HdSceneDelegate *delegate);
+    void _SyncTransform(HdSceneDelegate *delegate);
     void _SyncPrimvars(HdSceneDelegate *delegate, TfTokenVector names);
     void _SyncPrimvar(HdSceneDelegate *delegate, TfToken const &name);
     void _SyncSides(HdSceneDelegate *delegate);
@@ -44,6 +47,7 @@ class HdCCMesh final : public HdMesh {
     HdCCInstancer const *_Instancer(HdSceneDelegate *delegate) const;
 
     cc::Mesh *_mesh;
+    HdCCRenderParam *_param;
     /// What the mesh was last synced with: primvars may be asked for later.
     HdSceneDelegate *_delegate = nullptr;
     bool _hasTopology = false, _hasPoints = false, _hasFaces = false;

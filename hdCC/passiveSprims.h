@@ -1,7 +1,6 @@
 #ifndef HDCC_PASSIVE_SPRIMS_H
 #define HDCC_PASSIVE_SPRIMS_H
 
-#include "pxr/imaging/hd/camera.h"
 #include "pxr/imaging/hd/extComputation.h"
 #include "pxr/imaging/hd/material.h"
 #include "pxr/pxr.h"
@@ -10,12 +9,6 @@ PXR_NAMESPACE_OPEN_SCOPE
 
 // Prims that need nothing beyond Hydra's own class. They are derived all the same: what this
 // library makes with new, it must delete itself.
-
-/// A camera; the render pass reads it through the pass state.
-class HdCCCamera final : public HdCamera {
-  public:
-    explicit HdCCCamera(SdfPath const &id) : HdCamera(id) {}
-};
 
 /// A computation, such as UsdSkel's skinning, that meshes ask for their points.
 class HdCCExtComputation final : public HdExtComputation {

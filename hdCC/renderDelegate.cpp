@@ -5,6 +5,7 @@
 #include "pxr/base/tf/diagnostic.h"
 #include "pxr/imaging/hd/aov.h"
 
+#include "hdCC/camera.h"
 #include "hdCC/instancer.h"
 #include "hdCC/light.h"
 #include "hdCC/mesh.h"

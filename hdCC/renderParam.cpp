@@ -75,6 +75,27 @@ TfTokenVector HdCCRenderParam::GetPrimvarsAskedFor() const {
     return _primvars;
 }
 
+void HdCCRenderParam::AskForMotion(HdCCShutter const &shutter) {
+    std::set<HdCCMesh *> meshes;
+    {
+        const std::lock_guard<std::mutex> lock(_mutex);
+        if (!shutter.IsOpen() || _shutter.Holds(shutter)) {
+            return;
+        }
+        _shutter.Extend(shutter);
+        meshes = _meshes;
+    }
+    const SyncScope scope(this);
+    for (HdCCMesh *mesh : meshes) {
+        mesh->SyncLateMotion();
+    }
+}
+
+HdCCShutter HdCCRenderParam::GetShutter() const {
+    const std::lock_guard<std::mutex> lock(_mutex);
+    return _shutter;
+}
+
 std::shared_ptr<const HdCCFrame> HdCCRenderParam::GetFrame() const {
     const std::lock_guard<std::mutex> lock(_mutex);
     return _frame;

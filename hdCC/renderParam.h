@@ -17,6 +17,7 @@
 #include "pxr/pxr.h"
 
 #include "hdCC/renderThread.h"
+#include "hdCC/shutter.h"
 
 PXR_NAMESPACE_OPEN_SCOPE
 
@@ -69,6 +70,12 @@ class HdCCRenderParam final : public HdRenderParam {
     /// What AskForPrimvar was called for.
     TfTokenVector GetPrimvarsAskedFor() const;
 
+    /// Has all meshes sync how they move while a shutter is open, too, from now on, those at once
+    /// that have been synced already.
+    void AskForMotion(HdCCShutter const &shutter);
+    /// What AskForMotion was called for, all in one.
+    HdCCShutter GetShutter() const;
+
     /// Renders in the background. Whoever changes what it reads abandons its job first.
     HdCCRenderThread &GetRenderThread() { return _renderThread; }
 
@@ -89,6 +96,7 @@ class HdCCRenderParam final : public HdRenderParam {
     std::set<std::string> _warned;
     std::set<HdCCMesh *> _meshes;
     TfTokenVector _primvars;
+    HdCCShutter _shutter;
     std::shared_ptr<const HdCCFrame> _frame;
     /// The last member: it ends first, as it reads the others.
     HdCCRenderThread _renderThread;

@@ -13,6 +13,7 @@
 #include "pxr/imaging/hd/utils.h"
 
 #include "hdCC/backgroundFrame.h"
+#include "hdCC/camera.h"
 #include "hdCC/convert.h"
 #include "hdCC/renderDelegate.h"
 #include "hdCC/renderParam.h"
@@ -42,7 +43,7 @@ bool HdCCRenderPass::_Picture::operator==(_Picture const &b) const {
     return sceneVersion == b.sceneVersion && settingsVersion == b.settingsVersion &&
            renderTags == b.renderTags && cameraId == b.cameraId && worldToView == b.worldToView &&
            projection == b.projection && clippingRange == b.clippingRange && optics == b.optics &&
-           window == b.window && targets == b.targets;
+           cameraMotion == b.cameraMotion && window == b.window && targets == b.targets;
 }
 
 void HdCCRenderPass::_Execute(HdRenderPassStateSharedPtr const &state,
@@ -52,6 +53,7 @@ void HdCCRenderPass::_Execute(HdRenderPassStateSharedPtr const &state,
     _delegate->HeedSceneSettings(settingsPrim);
 
     _AskForPrimvars(*state);
+    _AskForMotion(*state);
     _Picture picture = _Describe(state, renderTags);
     const bool isInteractive = _delegate->GetRenderSetting(_tokens->enableInteractive, true);
     const bool isNew = !_hasBegun || picture != _picture || _IsFrameLost();
@@ -123,6 +125,9 @@ HdCCRenderPass::_Picture HdCCRenderPass::_Describe(HdRenderPassStateSharedPtr co
         for (std::string const &warning : warnings) {
             _param->WarnOnce(picture.cameraId, warning);
         }
+        if (auto const *own = dynamic_cast<HdCCCamera const *>(camera)) {
+            picture.cameraMotion = own->SampleTransform(picture.optics.shutter);
+        }
     }
     return picture;
 }
@@ -135,6 +140,14 @@ GfRect2i HdCCRenderPass::_VisibleWindow() const {
     HdCCRenderBuffer const &buffer = *_picture.targets[0].buffer;
     return _picture.window.GetIntersection(
         GfRect2i(GfVec2i(0), int(buffer.GetWidth()), int(buffer.GetHeight())));
+}
+
+/// Has meshes sync how they move while the camera's shutter is open. Which that is is known only now.
+void HdCCRenderPass::_AskForMotion(HdRenderPassState const &state) {
+    if (HdCamera const *camera = state.GetCamera()) {
+        std::vector<std::string> warnings;
+        _param->AskForMotion(HdCCReadOptics(*camera, {}, &warnings).shutter);
+    }
 }
 
 /// Has meshes sync the primvars that AOVs show. Which these are is known only now.
@@ -184,6 +197,7 @@ bool HdCCRenderPass::_MakeCamera(GfRect2i const &visible, cc::Camera *camera) co
         return false;
     }
     _picture.optics.Apply(camera);
+    camera->motion = _picture.cameraMotion;
     GfRect2i const &window = _picture.window;
     const cc::Vec2f lower = camera->windowLower, upper = camera->windowUpper;
     const auto narrow = [](float low, float high, int from, int size, int at) {

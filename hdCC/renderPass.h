@@ -63,6 +63,7 @@ class HdCCRenderPass final : public HdRenderPass {
         GfMatrix4d worldToView{1}, projection{1};
         GfRange1f clippingRange;
         HdCCCameraOptics optics;
+        cc::Moving<cc::AffineTransform> cameraMotion;
         /// What the projection covers, in pixels of the buffers from the bottom up.
         GfRect2i window;
         std::vector<_Target> targets;
@@ -73,6 +74,7 @@ class HdCCRenderPass final : public HdRenderPass {
 
     _Picture _Describe(HdRenderPassStateSharedPtr const &state,
                        TfTokenVector const &renderTags) const;
+    void _AskForMotion(HdRenderPassState const &state);
     void _AskForPrimvars(HdRenderPassState const &state);
     GfRect2i _VisibleWindow() const;
     /// After the scene was built.
