@@ -23,6 +23,9 @@ RenderOptions MakeValid(const Scene& scene, const RenderOptions& options) {
     return valid;
 }
 
+/// The side of the squares whose pixels all see other times.
+constexpr int kInterleave = 2;
+
 /// True if samples that are taken at different times see something else.
 bool IsBlurred(const Scene& scene, const Camera& camera) {
     const bool isOpen = camera.shutterOpen < camera.shutterClose;
@@ -49,15 +52,27 @@ FrameSampler::FrameSampler(Scene* scene, const Camera& camera, const RenderOptio
         return;
     }
     if (film->Has(Aov::Color) && IsBlurred(*scene, camera)) {
-        _times = ShutterTimes(camera.shutterOpen, camera.shutterClose, _samplesPerPixel);
+        _MakeParts();
+    } else {
+        _tiles = TilesFromTheMiddle(_width, _height);
     }
     _SetTime(0);
     _levels = MakeLevelMetric(*scene, camera, _width, _height, _options);
     _tracer = MakeTracer(_options.tracer, _levels);
     _shadows = MakeTracer(_options.tracer, SecondaryLevels(_levels, _options));
     _renderer = std::make_unique<TileRenderer>(*scene, _cameraRays, *_tracer, *_shadows, _levels,
-                                               _options, !_times.empty(), film);
-    _tiles = TilesFromTheMiddle(_width, _height);
+                                               _options, !_parts.empty(), film);
+}
+
+void FrameSampler::_MakeParts() {
+    const auto parts = InterleavedTiles(_width, _height, kInterleave);
+    for (size_t part = 0; part < parts.size(); ++part) {
+        const size_t begin = _tiles.size();
+        _tiles.insert(_tiles.end(), parts[part].begin(), parts[part].end());
+        _parts.push_back({{begin, _tiles.size()},
+                          ShutterTimes(_camera.shutterOpen, _camera.shutterClose, _samplesPerPixel,
+                                       static_cast<int>(part), static_cast<int>(parts.size()))});
+    }
 }
 
 bool FrameSampler::Render(int samples, SampleSums* sums, RenderStatistics* statistics,
@@ -65,8 +80,9 @@ bool FrameSampler::Render(int samples, SampleSums* sums, RenderStatistics* stati
     const auto start = std::chrono::steady_clock::now();
     *statistics = {};
     bool isWhole;
-    if (_times.empty()) {
+    if (_parts.empty()) {
         isWhole = _ForTiles(
+            {0, _tiles.size()},
             [&](size_t tile, RenderWorker* worker) {
                 _RenderTile(tile, samples, sums, worker, progress);
             },
@@ -82,33 +98,42 @@ bool FrameSampler::Render(int samples, SampleSums* sums, RenderStatistics* stati
     return isWhole;
 }
 
-/// Goes over the whole picture once a sample, with everything where it is at the sample's time:
-/// whatever moves has tight levels and normals of its own then, and the tracer knows of no motion.
+/// Goes over pixels that see the same times once a sample, with everything where it is at that time:
+/// the tracer knows of no motion.
 bool FrameSampler::_RenderMoving(int samples, SampleSums* sums, RenderStatistics* statistics,
                                  std::atomic<int64_t>* progress, const std::atomic<bool>* stop) {
-    int done = samples;
-    for (size_t tile = 0; tile < _tiles.size(); ++tile) {
-        done = std::min(done, sums->Count(tile));
-    }
-    if (done == 0) {
+    if (_SamplesDone({0, _tiles.size()}, sums) == 0) {
         _SetTime(0);
         const auto renderCentres = [&](size_t tile, RenderWorker* worker) {
             _renderer->RenderCentres(_tiles[tile], worker);
         };
-        if (!_ForTiles(renderCentres, statistics, stop)) {
+        if (!_ForTiles({0, _tiles.size()}, renderCentres, statistics, stop)) {
             return false;
         }
     }
-    for (; done < samples; ++done) {
-        _SetTime(_times[done]);
+    for (int sample = 0; sample < samples; ++sample) {
         const auto renderSample = [&](size_t tile, RenderWorker* worker) {
-            _RenderTile(tile, done + 1, sums, worker, progress);
+            _RenderTile(tile, sample + 1, sums, worker, progress);
         };
-        if (!_ForTiles(renderSample, statistics, stop)) {
-            return false;
+        for (const Part& part : _parts) {
+            if (_SamplesDone(part.tiles, sums) > sample) {
+                continue;
+            }
+            _SetTime(part.times[sample]);
+            if (!_ForTiles(part.tiles, renderSample, statistics, stop)) {
+                return false;
+            }
         }
     }
     return true;
+}
+
+int FrameSampler::_SamplesDone(TileRange tiles, SampleSums* sums) const {
+    int done = _samplesPerPixel;
+    for (size_t tile = tiles.begin; tile < tiles.end; ++tile) {
+        done = std::min(done, sums->Count(tile));
+    }
+    return done;
 }
 
 void FrameSampler::_SetTime(float time) {
@@ -117,10 +142,10 @@ void FrameSampler::_SetTime(float time) {
 }
 
 /// Hands tiles to as many workers as there are threads, in order, until all are done or stopped.
-bool FrameSampler::_ForTiles(const TileWork& work, RenderStatistics* statistics,
+bool FrameSampler::_ForTiles(TileRange range, const TileWork& work, RenderStatistics* statistics,
                              const std::atomic<bool>* stop) const {
     std::vector<RenderStatistics> workers(_options.threads);
-    std::atomic<size_t> next{0}, done{0};
+    std::atomic<size_t> next{range.begin}, done{0};
     tbb::task_arena arena(_options.threads);
     arena.execute([&] {
         tbb::parallel_for(
@@ -130,7 +155,7 @@ bool FrameSampler::_ForTiles(const TileWork& work, RenderStatistics* statistics,
                 RenderWorker own;
                 while (!IsStopped(stop)) {
                     const size_t tile = next.fetch_add(1, std::memory_order_relaxed);
-                    if (tile >= _tiles.size()) {
+                    if (tile >= range.end) {
                         break;
                     }
                     work(tile, &own);
@@ -146,7 +171,7 @@ bool FrameSampler::_ForTiles(const TileWork& work, RenderStatistics* statistics,
         *statistics += worker;
     }
     statistics->threads = std::max(statistics->threads, threads);
-    return done == _tiles.size();
+    return done == range.end - range.begin;
 }
 
 void FrameSampler::_RenderTile(size_t tile, int samples, SampleSums* sums, RenderWorker* worker,
@@ -167,7 +192,7 @@ void FrameSampler::_RenderTile(size_t tile, int samples, SampleSums* sums, Rende
 }
 
 LevelCounts FrameSampler::CountLevels(const std::atomic<bool>* stop) {
-    if (!_times.empty()) {
+    if (!_parts.empty()) {
         _SetTime(0);
     }
     tbb::task_arena arena(_options.threads);

@@ -61,10 +61,20 @@ class FrameSampler {
 
   private:
     using TileWork = std::function<void(size_t tile, RenderWorker* worker)>;
+    struct TileRange {
+        size_t begin, end;
+    };
+    /// Pixels that see the scene at the same times.
+    struct Part {
+        TileRange tiles;
+        std::vector<float> times;  ///< of the samples
+    };
 
+    void _MakeParts();
+    int _SamplesDone(TileRange tiles, SampleSums* sums) const;
     bool _RenderMoving(int samples, SampleSums* sums, RenderStatistics* statistics,
                        std::atomic<int64_t>* progress, const std::atomic<bool>* stop);
-    bool _ForTiles(const TileWork& work, RenderStatistics* statistics,
+    bool _ForTiles(TileRange range, const TileWork& work, RenderStatistics* statistics,
                    const std::atomic<bool>* stop) const;
     void _RenderTile(size_t tile, int samples, SampleSums* sums, RenderWorker* worker,
                      std::atomic<int64_t>* progress) const;
@@ -81,8 +91,8 @@ class FrameSampler {
     std::unique_ptr<TileRenderer> _renderer;
     std::vector<Tile> _tiles;
     int _samplesPerPixel = 1;
-    /// Of the samples of colour, if anything moves; else empty.
-    std::vector<float> _times;
+    /// If anything moves; else empty.
+    std::vector<Part> _parts;
 };
 
 }  // namespace cc

@@ -39,7 +39,7 @@ void CopyHit(const HitPacket& from, int fromLane, HitPacket* to, int toLane) {
 }
 
 size_t PixelOf(const Tile& tile, int lane, int filmWidth) {
-    return static_cast<size_t>(tile.y + lane / tile.width) * filmWidth + tile.x + lane % tile.width;
+    return static_cast<size_t>(tile.Y(lane)) * filmWidth + tile.X(lane);
 }
 
 void Store(const Vec3f& v, float* values) {
@@ -111,9 +111,9 @@ void TileRenderer::_TraceSample(const Tile& tile, int index, bool isThroughLens,
                                 RenderWorker* worker) const {
     const bool samplesLens = isThroughLens && _camera.HasLens();
     RayPacket& rays = sample->rays;
-    rays.count = tile.width * tile.height;
+    rays.count = tile.Count();
     for (int lane = 0; lane < rays.count; ++lane) {
-        const int x = tile.x + lane % tile.width, y = tile.y + lane / tile.width;
+        const int x = tile.X(lane), y = tile.Y(lane);
         const Vec2f inPixel = PixelSampler(x, y, _options.seed, _options.samples).Sample(index);
         const Vec2f onLens =
             samplesLens ? LensSampler(x, y, _options.seed).Sample(index) : Vec2f{0, 0};
@@ -213,7 +213,7 @@ void TileRenderer::_AddColor(const Sample& sample, float* rgba, RenderWorker* wo
 
 void TileRenderer::_WriteColor(const Tile& tile, const TileColors& colors, int samples) const {
     float* plane = _film->Floats(Aov::Color);
-    for (int lane = 0; lane < tile.width * tile.height; ++lane) {
+    for (int lane = 0; lane < tile.Count(); ++lane) {
         const float* sum = colors.data() + 4 * size_t(lane);
         float* pixel = plane + 4 * PixelOf(tile, lane, _film->Width());
         for (int i = 0; i < 4; ++i) {
@@ -289,7 +289,7 @@ void TileRenderer::_WriteCost(const Tile& tile, const TraceStatistics& before,
         return s.traversals + s.leafIntersections + s.subdivisionsRegular +
                s.subdivisionsIrregular + s.finalIntersections;
     };
-    const int count = tile.width * tile.height;
+    const int count = tile.Count();
     const auto perRay =
         static_cast<float>(steps(after) - steps(before)) / static_cast<float>(count);
     for (int lane = 0; lane < count; ++lane) {

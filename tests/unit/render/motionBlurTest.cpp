@@ -55,20 +55,23 @@ void AddMovingSquare(Scene* scene) {
     AddHeadlight(scene);
 }
 
-TEST(ShutterTimes, AreTheMiddlesOfEqualParts) {
+TEST(ShutterTimes, OfAllPixelsAreEvenlySpread) {
     for (const int count : {1, 2, 7, 16, 64}) {
-        const std::vector<float> times = ShutterTimes(-0.25f, 0.5f, count);
-        const std::set<float> sorted(times.begin(), times.end());
-        ASSERT_EQ(sorted.size(), size_t(count));
+        std::set<float> sorted;
+        for (int part = 0; part < 3; ++part) {
+            const std::vector<float> times = ShutterTimes(-0.25f, 0.5f, count, part, 3);
+            sorted.insert(times.begin(), times.end());
+        }
+        ASSERT_EQ(sorted.size(), size_t(3) * count);
         int i = 0;
         for (const float time : sorted) {
-            EXPECT_NEAR(time, -0.25 + 0.75 * (i++ + 0.5) / count, 1e-6);
+            EXPECT_NEAR(time, -0.25 + 0.75 * (i++ + 0.5) / (3 * count), 1e-6);
         }
     }
 }
 
 TEST(ShutterTimes, AreSpreadFromTheFirstOnes) {
-    const std::vector<float> times = ShutterTimes(0, 1, 64);
+    const std::vector<float> times = ShutterTimes(0, 1, 64, 0, 1);
     for (int count : {4, 8, 16}) {
         std::set<int> parts;
         for (int i = 0; i < count; ++i) {
