@@ -133,13 +133,18 @@ class Bench {
         const int level = NumberAt(words, 1, 0, 8);
         const int reference = words.size() > 3 ? NumberAt(words, 3, 0, 8) : level;
         _RequireScene();
-        const HitDifferences found =
-            CompareHits(_built->Scene(), _TracerFor("packet", reference), _TracerFor(tracer, level),
-                        _SetOfName(WordAt(words, 2)));
+        const RaySet& set = _SetOfName(WordAt(words, 2));
+        const double size = std::sqrt(static_cast<double>(set.rays.size()));
+        cc::Camera camera = _source.camera;
+        MakeSquare(&camera);
+        const double pixels = size / (camera.windowUpper.x - camera.windowLower.x);
+        const HitDifferences found = CompareHits(_built->Scene(), _TracerFor("packet", reference),
+                                                 _TracerFor(tracer, level), set, pixels);
         return Answer()
             .Count("hits", found.hits)
             .Count("distances", found.distances)
-            .Number("picture", found.picture);
+            .Number("picture", found.picture)
+            .Number("error_pixels", found.error);
     }
 
     Answer DrawLevels(const Words& words) const {

@@ -98,6 +98,23 @@ float HeadLit(const cc::Scene& scene, const cc::RayPacket& rays, const cc::HitPa
     return std::abs(Dot(normal, Normalize(direction)));
 }
 
+/// How far a hit is from the limit surface at its parameters, divided by its depth.
+float ErrorByDepth(const cc::Scene& scene, const cc::RayPacket& rays, const cc::HitPacket& hits,
+                   int i) {
+    if (hits.instance[i] == cc::kNoHit) {
+        return 0;
+    }
+    const cc::Instance& instance = scene.Instances().Instances()[hits.instance[i]];
+    const cc::Vec3f limit = instance.objectToWorld.Point(EvaluateLimitValue(
+        instance.surface->Patches(), hits.patch[i], instance.surface->PatchPoints().data(),
+        hits.u[i], hits.v[i]));
+    const float t = rays.tMax[i];
+    const cc::Vec3f hit{rays.originX[i] + t * rays.directionX[i],
+                        rays.originY[i] + t * rays.directionY[i],
+                        rays.originZ[i] + t * rays.directionZ[i]};
+    return Length(hit - limit) / t;
+}
+
 }  // namespace
 
 void FillPacket(const Ray* rays, int count, cc::RayPacket* packet) {
@@ -129,7 +146,7 @@ TraceRun TraceRays(const cc::Scene& scene, const cc::Tracer& tracer, const RaySe
 }
 
 HitDifferences CompareHits(const cc::Scene& scene, const cc::Tracer& a, const cc::Tracer& b,
-                           const RaySet& set) {
+                           const RaySet& set, double pixels) {
     constexpr float kSameDistance = 1e-3f;
     HitDifferences found;
     cc::TraceStatistics statistics;
@@ -152,6 +169,8 @@ HitDifferences CompareHits(const cc::Scene& scene, const cc::Tracer& a, const cc
             } else if (isHit && std::abs(t - rays[1].tMax[i]) > kSameDistance * std::abs(t)) {
                 ++found.distances;
             }
+            found.error = std::max(found.error,
+                                   pixels * ErrorByDepth(scene, rays[1], hits[1], i));
         }
         next += count;
     }

@@ -29,9 +29,14 @@ struct HitDifferences {
     uint64_t distances = 0;
     /// The mean difference of their pictures, a pixel a ray, lit by a white light at the eye.
     double picture = 0;
+    /// The furthest that a hit of the second is from the limit surface at the same parameters, in
+    /// pixels of the picture.
+    double error = 0;
 };
+/// @param set     camera rays whose distances are depths
+/// @param pixels  that a unit covers at depth 1
 HitDifferences CompareHits(const cc::Scene& scene, const cc::Tracer& a, const cc::Tracer& b,
-                           const RaySet& set);
+                           const RaySet& set, double pixels);
 
 /// The kind that a name such as packet means. Throws std::runtime_error for a name that is none.
 cc::TracerKind TracerKindOfName(const std::string& name);

@@ -125,6 +125,7 @@ TABLE6: Columns = {
     "(paper) ": _paper("table6", "shadow"),
     "other hits than at level 8": _differences,
     "picture off by": _number("picture_difference", "{:.6f}"),
+    "surface off by, pixels": _number("error_pixels", "{:.2f}"),
 }
 TABLE7: Columns = {
     **BASICS,

@@ -115,7 +115,7 @@ def table6(options: argparse.Namespace) -> list[Row]:
     rows = []
     for scene in bench_scenes.scenes(options, ("city",)):
         with bench_measure.session(scene, options) as own:
-            for level in _levels(options, (2, 3, 4, 5, REFERENCE_LEVEL)):
+            for level in _levels(options, range(2, REFERENCE_LEVEL + 1)):
                 rows += _compare_adaptive(own, level, options)
     return rows
 
@@ -134,6 +134,7 @@ def _compare_adaptive(own: Session, level: int, options: argparse.Namespace) -> 
         found = own.program.ask("compare", each.tracer, level, "primary", REFERENCE_LEVEL)
         row["differences"] = {"hits": found["hits"], "distances": found["distances"]}
         row["picture_difference"] = found["picture"]
+        row["error_pixels"] = found["error_pixels"]
         rows.append(row)
     return rows
 
