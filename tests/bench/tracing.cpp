@@ -98,21 +98,22 @@ float HeadLit(const cc::Scene& scene, const cc::RayPacket& rays, const cc::HitPa
     return std::abs(Dot(normal, Normalize(direction)));
 }
 
-/// How far a hit is from the limit surface at its parameters, divided by its depth.
+/// How far a hit is from the limit surface, measured along the normal there, divided by its depth.
 float ErrorByDepth(const cc::Scene& scene, const cc::RayPacket& rays, const cc::HitPacket& hits,
                    int i) {
     if (hits.instance[i] == cc::kNoHit) {
         return 0;
     }
     const cc::Instance& instance = scene.Instances().Instances()[hits.instance[i]];
-    const cc::Vec3f limit = instance.objectToWorld.Point(EvaluateLimitValue(
-        instance.surface->Patches(), hits.patch[i], instance.surface->PatchPoints().data(),
-        hits.u[i], hits.v[i]));
+    const cc::LimitPoint limit =
+        EvaluateLimit(instance.surface->Patches(), hits.patch[i],
+                      instance.surface->PatchPoints().data(), hits.u[i], hits.v[i]);
     const float t = rays.tMax[i];
     const cc::Vec3f hit{rays.originX[i] + t * rays.directionX[i],
                         rays.originY[i] + t * rays.directionY[i],
                         rays.originZ[i] + t * rays.directionZ[i]};
-    return Length(hit - limit) / t;
+    const cc::Vec3f normal = Normalize(instance.worldToObject.NormalByInverse(limit.normal));
+    return std::abs(Dot(hit - instance.objectToWorld.Point(limit.position), normal)) / t;
 }
 
 }  // namespace

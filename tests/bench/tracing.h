@@ -29,8 +29,7 @@ struct HitDifferences {
     uint64_t distances = 0;
     /// The mean difference of their pictures, a pixel a ray, lit by a white light at the eye.
     double picture = 0;
-    /// The furthest that a hit of the second is from the limit surface at the same parameters, in
-    /// pixels of the picture.
+    /// The furthest that a hit of the second is from the limit surface, in pixels of the picture.
     double error = 0;
 };
 /// @param set     camera rays whose distances are depths
