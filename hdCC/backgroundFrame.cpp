@@ -5,9 +5,9 @@
 
 PXR_NAMESPACE_OPEN_SCOPE
 
-HdCCBackgroundFrame::HdCCBackgroundFrame(cc::Scene *scene, cc::Camera const &camera,
-                                         HdCCFrame made, int width, int height,
-                                         std::vector<cc::Aov> aovs, std::atomic<int64_t> *progress)
+HdCCBackgroundFrame::HdCCBackgroundFrame(cc::Scene *scene, cc::Camera const &camera, HdCCFrame made,
+                                         int width, int height, std::vector<cc::Aov> aovs,
+                                         std::atomic<int64_t> *progress)
     : _made(std::move(made)),
       _frame(scene, camera, _made.options, width, height, std::move(aovs)),
       _progress(progress) {

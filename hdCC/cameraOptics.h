@@ -14,12 +14,13 @@
 
 PXR_NAMESPACE_OPEN_SCOPE
 
-/// What a camera has beyond its matrices and clipping range: lens, exposure, shutter, clipping planes.
+/// What a camera has beyond its matrices and clipping range: lens, exposure, shutter, clipping
+/// planes.
 struct HdCCCameraOptics {
     float lensRadius = 0, focusDistance = 0;  ///< in the scene's unit; 0 is a pinhole
     float exposure = 1;                       ///< a factor
     HdCCShutter shutter;
-    std::vector<GfVec4d> clipPlanes;          ///< in camera space, all of them usable
+    std::vector<GfVec4d> clipPlanes;  ///< in camera space, all of them usable
 
     bool operator==(HdCCCameraOptics const &b) const;
 

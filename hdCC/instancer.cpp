@@ -97,9 +97,7 @@ class _ElementsAt {
     _ElementsAt(cc::Moving<_Array<T>> const &arrays, float time) : _between(arrays.At(time)) {}
 
     /// False for elements that the primvar says nothing of.
-    bool Has(size_t i) const {
-        return i < _between.first.Count() && i < _between.second.Count();
-    }
+    bool Has(size_t i) const { return i < _between.first.Count() && i < _between.second.Count(); }
     T At(size_t i) const {
         return _between.weight == 0
                    ? _between.first.At(i)
@@ -114,8 +112,8 @@ class _ElementsAt {
 class HdCCInstancer::_Elements {
   public:
     _Elements(HdCCInstancer const &instancer, HdCCShutter const &shutter)
-        : _instancerToParent(HdCCSampleInstancerTransform(instancer.GetDelegate(),
-                                                          instancer.GetId(), shutter)),
+        : _instancerToParent(
+              HdCCSampleInstancerTransform(instancer.GetDelegate(), instancer.GetId(), shutter)),
           _translations(_Sample<GfVec3d, VtVec3fArray, VtVec3dArray, VtVec3hArray>(
               instancer, _tokens->translations, shutter)),
           _rotations(_Sample<GfQuatd, VtQuathArray, VtQuatfArray, VtQuatdArray>(

@@ -142,7 +142,8 @@ GfRect2i HdCCRenderPass::_VisibleWindow() const {
         GfRect2i(GfVec2i(0), int(buffer.GetWidth()), int(buffer.GetHeight())));
 }
 
-/// Has meshes sync how they move while the camera's shutter is open. Which that is is known only now.
+/// Has meshes sync how they move while the camera's shutter is open. Which that is is known only
+/// now.
 void HdCCRenderPass::_AskForMotion(HdRenderPassState const &state) {
     if (HdCamera const *camera = state.GetCamera()) {
         std::vector<std::string> warnings;

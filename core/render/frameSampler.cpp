@@ -98,8 +98,8 @@ bool FrameSampler::Render(int samples, SampleSums* sums, RenderStatistics* stati
     return isWhole;
 }
 
-/// Goes over pixels that see the same times once a sample, with everything where it is at that time:
-/// the tracer knows of no motion.
+/// Goes over pixels that see the same times once a sample, with everything where it is at that
+/// time: the tracer knows of no motion.
 bool FrameSampler::_RenderMoving(int samples, SampleSums* sums, RenderStatistics* statistics,
                                  std::atomic<int64_t>* progress, const std::atomic<bool>* stop) {
     if (_SamplesDone({0, _tiles.size()}, sums) == 0) {

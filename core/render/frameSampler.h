@@ -34,10 +34,10 @@ class SampleSums {
 /// number of threads.
 class FrameSampler {
   public:
-    /// @param scene  built; nothing else may touch it while samples are rendered, since what moves is
+    /// @param scene  built; nothing else may touch it while samples are rendered, since what moves
+    /// is
     ///               shown at one time after the other; it must outlive this, as the film must
-    FrameSampler(Scene* scene, const Camera& camera, const RenderOptions& options,
-                 Film* film);
+    FrameSampler(Scene* scene, const Camera& camera, const RenderOptions& options, Film* film);
     FrameSampler(const FrameSampler&) = delete;
     FrameSampler& operator=(const FrameSampler&) = delete;
 

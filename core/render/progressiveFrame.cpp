@@ -70,9 +70,8 @@ Film Enlarged(const Film& blocks, int blockSize, int width, int height) {
 
 }  // namespace
 
-ProgressiveFrame::ProgressiveFrame(Scene* scene, const Camera& camera,
-                                   const RenderOptions& options, int width, int height,
-                                   std::vector<Aov> aovs)
+ProgressiveFrame::ProgressiveFrame(Scene* scene, const Camera& camera, const RenderOptions& options,
+                                   int width, int height, std::vector<Aov> aovs)
     : _scene(*scene),
       _camera(camera),
       _options(options),

@@ -20,8 +20,8 @@ class ProgressiveFrame {
   public:
     /// @param scene  built; nothing else may touch it while a pass renders; it must outlive the
     ///               frame
-    ProgressiveFrame(Scene* scene, const Camera& camera, const RenderOptions& options,
-                     int width, int height, std::vector<Aov> aovs);
+    ProgressiveFrame(Scene* scene, const Camera& camera, const RenderOptions& options, int width,
+                     int height, std::vector<Aov> aovs);
     ProgressiveFrame(const ProgressiveFrame&) = delete;
     ProgressiveFrame& operator=(const ProgressiveFrame&) = delete;
 

@@ -7,8 +7,8 @@ namespace cc {
 /// Side of a tile in pixels: its samples are one packet of 64 rays.
 constexpr int kTileSize = 8;
 
-/// Pixels that are rendered together: a ray each, row by row from the lower left. Tiles at the upper
-/// and right edge may be smaller.
+/// Pixels that are rendered together: a ray each, row by row from the lower left. Tiles at the
+/// upper and right edge may be smaller.
 struct Tile {
     int x, y, width, height;
     int stride = 1;  ///< from each pixel to the next, in both directions

@@ -28,7 +28,8 @@ std::string CheckPoints(const std::vector<Vec3f>& points) {
            (IsFinite(*bad) ? " is too far away" : " is not finite") + "; the mesh is left out";
 }
 
-/// Where points are that move. All poses that time lies between have as many, or the first is taken.
+/// Where points are that move. All poses that time lies between have as many, or the first is
+/// taken.
 std::vector<Vec3f> PointsAt(const Moving<std::vector<Vec3f>>& points, float time) {
     const auto at = points.At(time);
     std::vector<Vec3f> between = at.first;

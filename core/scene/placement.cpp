@@ -50,9 +50,8 @@ AffineTransform Placement::_ObjectToWorld(size_t index, float time) const {
         return objectToWorld;
     }
     const auto of = _instances->At(time);
-    return (of.weight == 0
-                ? of.first[index]
-                : AffineTransform::Lerp(of.first[index], of.second[index], of.weight)) *
+    return (of.weight == 0 ? of.first[index]
+                           : AffineTransform::Lerp(of.first[index], of.second[index], of.weight)) *
            objectToWorld;
 }
 

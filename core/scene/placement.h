@@ -11,8 +11,8 @@
 
 namespace cc {
 
-/// Where a mesh stands in the world: in one place, or wherever its instances are. Both may move: the
-/// numbers of their transforms change steadily from pose to pose.
+/// Where a mesh stands in the world: in one place, or wherever its instances are. Both may move:
+/// the numbers of their transforms change steadily from pose to pose.
 class Placement {
   public:
     /// Moves the mesh, each instance of it in that instance's own space.

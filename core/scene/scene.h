@@ -12,8 +12,9 @@
 
 namespace cc {
 
-/// Everything a picture shows but the camera, at one time after the other if it moves. Meshes and lights may be added, set and removed from
-/// any thread between two calls of Build; during Build and rendering the scene must rest.
+/// Everything a picture shows but the camera, at one time after the other if it moves. Meshes and
+/// lights may be added, set and removed from any thread between two calls of Build; during Build
+/// and rendering the scene must rest.
 class Scene {
   public:
     Scene();

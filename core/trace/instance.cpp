@@ -119,7 +119,8 @@ void InstanceBvh::_Build(const WorldBox& worldBox) {
 
     const size_t count = _instances.size();
     const std::vector<PlacedPart> parts =
-        PartOpener(_instances, worldBox).Open(std::min(kMostPartsEach * count, kMostMoreParts + count));
+        PartOpener(_instances, worldBox)
+            .Open(std::min(kMostPartsEach * count, kMostMoreParts + count));
     boxes.clear();
     for (const PlacedPart& placed : parts) {
         _parts.push_back(placed.part);

@@ -36,7 +36,8 @@ struct InstancePart {
 /// re-braiding).
 class InstanceBvh {
   public:
-    /// Gives the bounds in the world of a box of an instance's surface, wherever the instance moves.
+    /// Gives the bounds in the world of a box of an instance's surface, wherever the instance
+    /// moves.
     using WorldBox = std::function<Box3f(size_t instance, const Box3f& box)>;
 
     InstanceBvh() = default;

@@ -170,8 +170,7 @@ HitDifferences CompareHits(const cc::Scene& scene, const cc::Tracer& a, const cc
             } else if (isHit && std::abs(t - rays[1].tMax[i]) > kSameDistance * std::abs(t)) {
                 ++found.distances;
             }
-            found.error = std::max(found.error,
-                                   pixels * ErrorByDepth(scene, rays[1], hits[1], i));
+            found.error = std::max(found.error, pixels * ErrorByDepth(scene, rays[1], hits[1], i));
         }
         next += count;
     }

@@ -272,7 +272,7 @@ def test_shadows_move_along() -> None:
 
 
 @pytest.mark.parametrize(("opens", "closes"), [(1.0, 0.0), (float("nan"), 1.0)])
-def test_a_shutter_that_makes_no_sense_is_closed(opens: float, closes: float, warnings) -> None:  # noqa: ANN001
+def test_a_shutter_that_makes_no_sense_is_closed(opens: float, closes: float, warnings) -> None:
     stage = make_moving_stage(opens, closes)
     slide(add_square(stage))
     seen = view(stage)
@@ -281,7 +281,7 @@ def test_a_shutter_that_makes_no_sense_is_closed(opens: float, closes: float, wa
     assert said.count("</Camera>: shutter:open is") == 1
 
 
-def test_points_of_other_counts_are_shown_at_rest(warnings) -> None:  # noqa: ANN001
+def test_points_of_other_counts_are_shown_at_rest(warnings) -> None:
     stage = make_moving_stage()
     square = add_square(stage)
     square.GetPointsAttr().Set(SQUARE, 10)

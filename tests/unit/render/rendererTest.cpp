@@ -290,7 +290,8 @@ TEST(RenderFrame, RendersAovsWithoutColor) {
     scene.Build({"geometry"});
     Film film(8, 8, {Aov::ElementId});
     RenderStatistics statistics;
-    ASSERT_TRUE(RenderFrame(&scene, CameraAt(2), Options(16), &film, &statistics, nullptr, nullptr));
+    ASSERT_TRUE(
+        RenderFrame(&scene, CameraAt(2), Options(16), &film, &statistics, nullptr, nullptr));
     EXPECT_EQ(film.Ints(Aov::ElementId)[0], 0);
     EXPECT_EQ(statistics.primaryRays, 64u);
 }

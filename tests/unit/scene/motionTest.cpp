@@ -30,8 +30,7 @@ RayPacket RaysThrough(const Box3f& box, std::mt19937* random) {
         for (int axis = 0; axis < 3; ++axis) {
             const float size = box.upper[axis] - box.lower[axis];
             origins[axis][lane] = box.lower[axis] + size * (3 * unit(*random) - 1);
-            directions[axis][lane] =
-                box.lower[axis] + size * unit(*random) - origins[axis][lane];
+            directions[axis][lane] = box.lower[axis] + size * unit(*random) - origins[axis][lane];
         }
         rays.tMin[lane] = 0;
         rays.tMax[lane] = 10;
@@ -77,8 +76,7 @@ Points Between(const Points& a, const Points& b, double weight) {
     Points points = a;
     for (size_t i = 0; i < points.size(); ++i) {
         for (int axis = 0; axis < 3; ++axis) {
-            points[i][axis] =
-                static_cast<float>((1 - weight) * a[i][axis] + weight * b[i][axis]);
+            points[i][axis] = static_cast<float>((1 - weight) * a[i][axis] + weight * b[i][axis]);
         }
     }
     return points;
@@ -191,9 +189,9 @@ TEST(Motion, ThroughNothingIsShownAsAtTheBeginning) {
 TEST(Motion, OfInstancesWithoutATransformIsWarnedOf) {
     Scene scene;
     Mesh* const mesh = AddCage(&scene, "/mesh", Cube());
-    mesh->SetMovingInstances({{0, 1},
-                              {{Placed(1, 0, 0, 0), Placed(1, 3, 0, 0)},
-                               {Placed(1, 1, 0, 0), Placed(0, 3, 0, 0)}}});
+    mesh->SetMovingInstances(
+        {{0, 1},
+         {{Placed(1, 0, 0, 0), Placed(1, 3, 0, 0)}, {Placed(1, 1, 0, 0), Placed(0, 3, 0, 0)}}});
     const std::vector<std::string> lines = scene.Build({"geometry"});
     ASSERT_EQ(lines.size(), 1u);
     EXPECT_NE(lines[0].find("1 of 2 instances"), std::string::npos) << lines[0];
