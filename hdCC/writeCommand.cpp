@@ -1,12 +1,17 @@
 #include "hdCC/writeCommand.h"
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #include "core/image/displayTransform.h"
 #include "core/image/imageFile.h"
 
+#include "pxr/base/gf/matrix4d.h"
+#include "pxr/base/gf/matrix4f.h"
+#include "pxr/base/gf/vec4i.h"
 #include "pxr/base/tf/stringUtils.h"
+#include "pxr/base/vt/dictionary.h"
 
 #include "hdCC/renderParam.h"
 #include "hdCC/renderSettings.h"
@@ -15,22 +20,26 @@ PXR_NAMESPACE_OPEN_SCOPE
 
 HdCommandDescriptor HdCCWriteCommandDescriptor() {
     HdCommandArgDescriptors args;
-    for (char const *name : {"path", "aovs", "colorCorrection", "ocioDisplay", "ocioView",
-                             "ocioColorSpace", "ocioLook"}) {
+    for (char const *name : {"path", "aovs", "layers", "types", "colorCorrection", "ocioDisplay",
+                             "ocioView", "ocioColorSpace", "ocioLook"}) {
         args.emplace_back(TfToken(name), VtValue(std::string()));
     }
+    args.emplace_back(TfToken("metadata"), VtValue(VtDictionary()));
+    args.emplace_back(TfToken("window"), VtValue(GfVec4i(0)));
+    args.emplace_back(TfToken("pixelAspect"), VtValue(1.0));
     return HdCommandDescriptor(TfToken("write"), "Write the last frame to a picture file", args);
 }
 
-static std::string _Text(HdCommandArgs const &args, char const *name) {
+template <class T>
+static T _Get(HdCommandArgs const &args, char const *name, T const &otherwise) {
     const auto found = args.find(name);
-    if (found == args.end()) {
-        return std::string();
-    }
-    if (found->second.IsHolding<TfToken>()) {
-        return found->second.UncheckedGet<TfToken>().GetString();
-    }
-    return found->second.GetWithDefault(std::string());
+    return found != args.end() && found->second.IsHolding<T>() ? found->second.UncheckedGet<T>()
+                                                               : otherwise;
+}
+
+static std::string _Text(HdCommandArgs const &args, char const *name) {
+    const std::string token = _Get(args, name, TfToken()).GetString();
+    return token.empty() ? _Get(args, name, std::string()) : token;
 }
 
 static bool _ToColorCorrection(std::string const &name, cc::ColorCorrection *mode) {
@@ -46,28 +55,78 @@ static bool _ToColorCorrection(std::string const &name, cc::ColorCorrection *mod
     return true;
 }
 
-static std::string _MakePlanes(cc::Film const &film, std::string const &names,
-                               std::vector<cc::ImagePlane> *planes) {
-    std::vector<cc::Aov> aovs;
-    const std::string error = HdCCParseAovs(names.empty() ? "color" : names, &aovs);
-    if (!error.empty()) {
-        return error;
+static std::string _MakePlane(cc::Film const &film, std::string const &name,
+                              cc::ImagePlane *plane) {
+    cc::Aov aov;
+    if (!cc::AovFromName(name, &aov)) {
+        return TfStringPrintf("there is no AOV '%s'", name.c_str());
     }
-    for (cc::Aov const &aov : aovs) {
-        if (!film.Has(aov)) {
-            return TfStringPrintf(
-                "the AOV '%s' is not in the last frame; name it in hdcc:aovs "
-                "before rendering",
-                cc::NameOf(aov).c_str());
+    if (!film.Has(aov)) {
+        return TfStringPrintf(
+            "the AOV '%s' is not in the last frame; name it in hdcc:aovs "
+            "before rendering",
+            cc::NameOf(aov).c_str());
+    }
+    const cc::AovLayout layout = film.Layout(aov);
+    plane->name = cc::NameOf(aov);
+    plane->components = layout.components;
+    plane->isInteger = layout.isInteger;
+    plane->pixels = layout.isInteger ? static_cast<const void *>(film.Ints(aov))
+                                     : static_cast<const void *>(film.Floats(aov));
+    plane->isPrecise = aov.kind == cc::Aov::Primvar;
+    plane->isColor = aov.kind == cc::Aov::Color;
+    return std::string();
+}
+
+/// A plane a name, with the layer and type that stand at the same place among those given; `-` is
+/// the usual one.
+static std::string _MakePlanes(cc::Film const &film, HdCommandArgs const &args,
+                               std::vector<cc::ImagePlane> *planes) {
+    constexpr char kSeparators[] = " ,\t\n";
+    std::vector<std::string> names = TfStringTokenize(_Text(args, "aovs"), kSeparators);
+    if (names.empty()) {
+        names.push_back("color");
+    }
+    const std::vector<std::string> layers = TfStringTokenize(_Text(args, "layers"), kSeparators);
+    const std::vector<std::string> types = TfStringTokenize(_Text(args, "types"), kSeparators);
+    for (size_t i = 0; i < names.size(); ++i) {
+        cc::ImagePlane plane;
+        const std::string error = _MakePlane(film, names[i], &plane);
+        if (!error.empty()) {
+            return error;
         }
-        const cc::AovLayout layout = film.Layout(aov);
-        const void *const pixels = layout.isInteger ? static_cast<const void *>(film.Ints(aov))
-                                                    : static_cast<const void *>(film.Floats(aov));
-        const bool isPrecise = aov.kind == cc::Aov::Primvar;
-        planes->push_back(
-            {cc::NameOf(aov), layout.components, layout.isInteger, pixels, isPrecise});
+        if (i < layers.size() && layers[i] != "-") {
+            plane.name = layers[i];
+        }
+        if (i < types.size() && types[i] != "-") {
+            plane.isHalf = types[i] == "half";
+        }
+        planes->push_back(plane);
     }
     return std::string();
+}
+
+/// @param metadata  texts, numbers and matrices by name
+static cc::ImageHeader _MakeHeader(HdCommandArgs const &args) {
+    cc::ImageHeader header;
+    const GfVec4i window = _Get(args, "window", GfVec4i(0));
+    header.x = window[0];
+    header.y = window[1];
+    header.fullWidth = window[2];
+    header.fullHeight = window[3];
+    header.pixelAspect = float(_Get(args, "pixelAspect", 1.0));
+    for (auto const &[name, value] : _Get(args, "metadata", VtDictionary())) {
+        if (value.IsHolding<std::string>()) {
+            header.texts.emplace_back(name, value.UncheckedGet<std::string>());
+        } else if (value.IsHolding<GfMatrix4d>()) {
+            const GfMatrix4f matrix(value.UncheckedGet<GfMatrix4d>());
+            header.matrices.emplace_back(name, std::array<float, 16>{});
+            std::copy_n(matrix.GetArray(), 16, header.matrices.back().second.begin());
+        } else if (value.CanCast<double>()) {
+            header.numbers.emplace_back(name, VtValue::Cast<double>(value).GetWithDefault(0.0));
+        }
+    }
+    return header;
 }
 
 /// Points the colour plane at a copy that is converted for display.
@@ -82,7 +141,7 @@ static std::string _Convert(cc::Film const &film, HdCommandArgs const &args,
             name.c_str());
     }
     const auto color = std::find_if(planes->begin(), planes->end(),
-                                    [](cc::ImagePlane const &p) { return p.name == "color"; });
+                                    [](cc::ImagePlane const &p) { return p.isColor; });
     if (color == planes->end()) {
         return std::string();
     }
@@ -104,14 +163,15 @@ std::string HdCCWriteFrame(HdCCFrame const *frame, HdCommandArgs const &args) {
     }
     std::vector<cc::ImagePlane> planes;
     std::vector<float> display;
-    std::string error = _MakePlanes(frame->film, _Text(args, "aovs"), &planes);
+    std::string error = _MakePlanes(frame->film, args, &planes);
     if (error.empty() && cc::IsDisplayFormat(path)) {
         error = _Convert(frame->film, args, &planes, &display);
     }
     if (!error.empty()) {
         return TfStringPrintf("%s: %s", path.c_str(), error.c_str());
     }
-    return cc::WriteImage(path, frame->film.Width(), frame->film.Height(), planes);
+    return cc::WriteImage(path, frame->film.Width(), frame->film.Height(), planes,
+                          _MakeHeader(args));
 }
 
 PXR_NAMESPACE_CLOSE_SCOPE

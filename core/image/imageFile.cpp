@@ -73,14 +73,15 @@ struct Channel {
 std::vector<Channel> ExrChannels(const std::vector<ImagePlane>& planes) {
     std::vector<Channel> channels;
     for (const ImagePlane& plane : planes) {
-        const bool isColor = plane.name == "color";
+        const bool isLayer = plane.name != "color";
         const bool isScalar = plane.components == 1;
-        const bool isHalf = !isScalar && !plane.isInteger && !plane.isPrecise;
-        const char* suffixes = isColor                                            ? "RGBA"
+        const bool isHalf =
+            plane.isHalf.value_or(!isScalar && !plane.isInteger && !plane.isPrecise);
+        const char* suffixes = plane.isColor || !isLayer                          ? "RGBA"
                                : isScalar && !plane.isInteger && !plane.isPrecise ? "Z"
                                                                                   : "XYZW";
         for (int c = 0; c < plane.components; ++c) {
-            const std::string layer = isColor ? "" : plane.name + ".";
+            const std::string layer = isLayer ? plane.name + "." : "";
             channels.push_back({layer + suffixes[c], isHalf, &plane, c});
         }
     }
@@ -164,13 +165,30 @@ std::string CheckPlanes(int width, int height, const std::vector<ImagePlane>& pl
     return {};
 }
 
-void SignFile(OIIO::ImageSpec* spec) {
+void AddHeader(const ImageHeader& header, OIIO::ImageSpec* spec) {
+    if (header.fullWidth > 0 && header.fullHeight > 0) {
+        spec->x = header.x;
+        spec->y = header.y;
+        spec->full_width = header.fullWidth;
+        spec->full_height = header.fullHeight;
+    }
+    spec->attribute("PixelAspectRatio", header.pixelAspect);
+    for (const auto& [name, text] : header.texts) {
+        spec->attribute(name, text);
+    }
+    for (const auto& [name, number] : header.numbers) {
+        spec->attribute(name, static_cast<float>(number));
+    }
+    for (const auto& [name, matrix] : header.matrices) {
+        spec->attribute(name, OIIO::TypeMatrix, matrix.data());
+    }
     spec->attribute("Software", "hdCC");
     // Left out, it is the time of day, and no two files are alike.
     spec->attribute("DateTime", "");
 }
 
-OIIO::ImageSpec MakeExrSpec(int width, int height, const std::vector<Channel>& channels) {
+OIIO::ImageSpec MakeExrSpec(int width, int height, const std::vector<Channel>& channels,
+                            const ImageHeader& header) {
     OIIO::ImageSpec spec(width, height, static_cast<int>(channels.size()), OIIO::TypeFloat);
     spec.channelnames.clear();
     for (const Channel& channel : channels) {
@@ -184,13 +202,13 @@ OIIO::ImageSpec MakeExrSpec(int width, int height, const std::vector<Channel>& c
         }
     }
     spec.attribute("compression", "zip");
-    SignFile(&spec);
+    AddHeader(header, &spec);
     return spec;
 }
 
 OIIO::ImageSpec MakeDisplaySpec(int width, int height, int channelCount) {
     OIIO::ImageSpec spec(width, height, channelCount, OIIO::TypeUInt8);
-    SignFile(&spec);
+    AddHeader({}, &spec);  // these formats have no place for most of it
     // Colours are divided by alpha already.
     spec.attribute("oiio:UnassociatedAlpha", 1);
     return spec;
@@ -211,7 +229,8 @@ std::string WriteFile(const std::string& path, FileFormat format, const OIIO::Im
     for (int row = 0; row < spec.height; row += kBandRows) {
         const int endRow = std::min(row + kBandRows, spec.height);
         pack(row, endRow, &values);
-        if (!output->write_scanlines(row, endRow, 0, OIIO::TypeFloat, values.data())) {
+        if (!output->write_scanlines(spec.y + row, spec.y + endRow, 0, OIIO::TypeFloat,
+                                     values.data())) {
             return output->geterror();
         }
     }
@@ -219,9 +238,9 @@ std::string WriteFile(const std::string& path, FileFormat format, const OIIO::Im
 }
 
 std::string WriteExr(const std::string& path, int width, int height,
-                     const std::vector<ImagePlane>& planes) {
+                     const std::vector<ImagePlane>& planes, const ImageHeader& header) {
     const std::vector<Channel> channels = ExrChannels(planes);
-    return WriteFile(path, FileFormat::OpenExr, MakeExrSpec(width, height, channels),
+    return WriteFile(path, FileFormat::OpenExr, MakeExrSpec(width, height, channels, header),
                      [&](int beginRow, int endRow, std::vector<float>* values) {
                          PackExrRows(channels, width, height, beginRow, endRow, values);
                      });
@@ -230,7 +249,8 @@ std::string WriteExr(const std::string& path, int width, int height,
 std::string WriteDisplay(const std::string& path, FileFormat format, int width, int height,
                          const std::vector<ImagePlane>& planes) {
     const auto color = std::find_if(planes.begin(), planes.end(), [](const ImagePlane& plane) {
-        return plane.name == "color" && !plane.isInteger && plane.components >= 3;
+        return (plane.name == "color" || plane.isColor) && !plane.isInteger &&
+               plane.components >= 3;
     });
     if (color == planes.end()) {
         return "this format holds colour only, and there is none";
@@ -260,7 +280,7 @@ bool IsDisplayFormat(const std::string& path) {
 }
 
 std::string WriteImage(const std::string& path, int width, int height,
-                       const std::vector<ImagePlane>& planes) {
+                       const std::vector<ImagePlane>& planes, const ImageHeader& header) {
     const FileFormat format = FormatOf(path);
     if (format == FileFormat::Unknown) {
         return Failure(path, "the file's extension must be exr, png, jpg or tif");
@@ -270,7 +290,7 @@ std::string WriteImage(const std::string& path, int width, int height,
         return Failure(path, error);
     }
     const std::string temporary = TemporaryName(path);
-    error = format == FileFormat::OpenExr ? WriteExr(temporary, width, height, planes)
+    error = format == FileFormat::OpenExr ? WriteExr(temporary, width, height, planes, header)
                                           : WriteDisplay(temporary, format, width, height, planes);
     if (error.empty() && std::rename(temporary.c_str(), path.c_str()) != 0) {
         error = std::strerror(errno);

@@ -69,6 +69,7 @@ class RecordOptions:
     workshop: str = ""
     progress_fd: int = -1
     color_mode_given: bool = field(default=False)
+    purposes_given: bool = field(default=False)
 
     def as_dict(self) -> dict:
         """Plain values, for JSON; RecordOptions(**values) brings them back."""
@@ -121,15 +122,16 @@ def _add_scene_options(parser: argparse.ArgumentParser) -> None:
         "--purposes",
         metavar="PURPOSE[,PURPOSE...]",
         type=_purposes,
-        default=["proxy"],
-        help="purposes shown besides default: render, proxy, guide (default: proxy)",
+        help="purposes shown besides default: render, proxy, guide (default: proxy, or "
+        "what the settings prim includes)",
     )
     group.add_argument(
         "--renderSettingsPrimPath",
         "-rs",
         metavar="PRIMPATH",
-        help="UsdRenderSettings prim whose hdcc: attributes become settings and whose camera and "
-        "resolution are taken unless given here (default: the stage's metadata)",
+        help="UsdRenderSettings prim: its hdcc: attributes become settings, its products are "
+        "rendered, camera and resolution are taken unless given here (default: the stage's "
+        "metadata, without products)",
     )
     group.add_argument(
         "--renderPassPrimPath",
@@ -238,7 +240,7 @@ def _to_options(parsed: argparse.Namespace) -> RecordOptions:
         scene=parsed.scene,
         picture=parsed.picture,
         mask=parsed.mask,
-        purposes=parsed.purposes,
+        purposes=parsed.purposes or ["proxy"],
         session_layer=parsed.sessionLayer,
         camera_light=not parsed.disableCameraLight,
         dome_light_visible=parsed.enableDomeLightVisibility,
@@ -256,6 +258,7 @@ def _to_options(parsed: argparse.Namespace) -> RecordOptions:
         stats=parsed.stats,
         quiet=parsed.quiet,
         color_mode_given=parsed.colorCorrectionMode is not None,
+        purposes_given=parsed.purposes is not None,
     )
 
 

@@ -8,8 +8,9 @@ from pxr import CameraUtil, Gf, Glf, Sdf, Tf, Usd, UsdAppUtils, UsdGeom, UsdImag
 
 from . import render_settings, render_stats
 from .console import CommandError, error
+from .products import Product
 from .record_options import COMPLEXITIES, RENDERER, RENDERER_PLUGIN, RecordOptions
-from .stage import View
+from .stage import Framing, View
 
 _SCENE_AMBIENT = Gf.Vec4f(0.01, 0.01, 0.01, 1)
 _COMPLEXITY_VALUES = dict(zip(COMPLEXITIES, (1.0, 1.1, 1.2, 1.3), strict=True))
@@ -65,10 +66,41 @@ class EngineRecorder:
 
     def record(self, stage: Usd.Stage, view: View, when: Usd.TimeCode, picture: Path) -> None:
         """Renders a frame and writes it; raises CommandError if that fails."""
+        self._render_view(stage, view, when)
+        self._write(picture, {"aovs": " ".join(["color", *self._options.aovs])})
+
+    def record_product(
+        self, stage: Usd.Stage, view: View, when: Usd.TimeCode, picture: Path, product: Product
+    ) -> None:
+        """Renders what a product asks for and writes it; raises CommandError if that fails."""
+        aovs = dict.fromkeys(var.aov for var in product.vars)
+        self._engine.SetRendererSetting("hdcc:aovs", " ".join(aovs))
+        self._render_view(stage, view, when)
+        view_matrix = view.camera.frustum.ComputeViewMatrix()
+        projection = view.camera.frustum.ComputeProjectionMatrix()
+        framing = view.framing
+        self._write(
+            picture,
+            {
+                "aovs": " ".join(var.aov for var in product.vars),
+                "layers": " ".join(var.layer for var in product.vars),
+                "types": " ".join(var.type for var in product.vars),
+                "window": Gf.Vec4i(*framing.data_window.min, *framing.size),
+                "pixelAspect": framing.pixel_aspect,
+                "metadata": {
+                    "camera": str(view.path),
+                    "frame": 0.0 if when.IsDefault() else when.GetValue(),
+                    "worldtocamera": view_matrix,
+                    "worldtoscreen": view_matrix * projection,
+                    **product.metadata,
+                },
+            },
+        )
+
+    def _render_view(self, stage: Usd.Stage, view: View, when: Usd.TimeCode) -> None:
         self._set_view(view)
         self._set_lights(view.camera)
         self._render(stage.GetPseudoRoot(), self._render_params(when))
-        self._write(picture)
 
     def fraction_done(self) -> float:
         """How much of the current frame is done. May be asked from another thread."""
@@ -86,10 +118,16 @@ class EngineRecorder:
             )
         else:
             self._engine.SetCameraPath(view.path)
-        size = Gf.Vec2i(view.width, view.height)
-        window = Gf.Rect2i(Gf.Vec2i(0, 0), view.width, view.height)
-        self._engine.SetFraming(CameraUtil.Framing(window))
-        self._engine.SetRenderBufferSize(size)
+        whole = Gf.Rect2i(Gf.Vec2i(0, 0), view.width, view.height)
+        framing = view.framing or Framing((view.width, view.height), whole)
+        # Buffers hold the data window alone: the picture is moved so that it begins with them.
+        data = framing.data_window
+        corner = Gf.Vec2f(*-data.min)
+        display = Gf.Range2f(corner, corner + Gf.Vec2f(*framing.size))
+        moved = Gf.Rect2i(Gf.Vec2i(0, 0), data.GetWidth(), data.GetHeight())
+        self._engine.SetFraming(CameraUtil.Framing(display, moved, framing.pixel_aspect))
+        self._engine.SetWindowPolicy(framing.conform)
+        self._engine.SetRenderBufferSize(moved.GetSize())
 
     def _set_lights(self, camera: Gf.Camera) -> None:
         lights = []
@@ -141,12 +179,8 @@ class EngineRecorder:
             return "; ".join(messages)
         return ""
 
-    def _write(self, picture: Path) -> None:
-        args = {
-            "path": str(picture),
-            "aovs": " ".join(["color", *self._options.aovs]),
-            "colorCorrection": self._options.color_mode,
-        }
+    def _write(self, picture: Path, args: dict[str, Any]) -> None:
+        args |= {"path": str(picture), "colorCorrection": self._options.color_mode}
         reason = f"{picture}: the renderer could not write it"
         try:
             if self._engine.InvokeRendererCommand("write", args):

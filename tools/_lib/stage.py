@@ -4,7 +4,7 @@ import math
 from dataclasses import dataclass
 from itertools import islice
 
-from pxr import Gf, Sdf, Tf, Usd, UsdAppUtils, UsdGeom, UsdRender, UsdUtils
+from pxr import CameraUtil, Gf, Sdf, Tf, Usd, UsdAppUtils, UsdGeom, UsdRender, UsdUtils
 
 from .console import CommandError, warning
 from .record_options import MAX_IMAGE_SIZE, RecordOptions
@@ -99,7 +99,7 @@ def _settings_of_pass(stage: Usd.Stage, path: str) -> str:
 
 
 def find_camera(
-    options: RecordOptions, stage: Usd.Stage, settings: UsdRender.Settings | None
+    options: RecordOptions, stage: Usd.Stage, settings: UsdRender.SettingsBase | None
 ) -> UsdGeom.Camera | None:
     """The camera that the options name, or the settings prim's, or the primary, or the first.
 
@@ -126,6 +126,17 @@ def _first_camera(stage: Usd.Stage) -> UsdGeom.Camera | None:
     return None
 
 
+@dataclass(frozen=True)
+class Framing:
+    """What of the camera's window a picture shows."""
+
+    #: of the whole picture, in pixels, and of the part that is rendered: counted from the upper left
+    size: tuple[int, int]
+    data_window: Gf.Rect2i
+    pixel_aspect: float = 1.0
+    conform: CameraUtil.ConformWindowPolicy = CameraUtil.Fit
+
+
 @dataclass
 class View:
     """What a frame shows: through a camera prim, or a made-up one if path is empty."""
@@ -134,6 +145,8 @@ class View:
     path: Sdf.Path
     width: int
     height: int
+    #: if it is not all of the camera's window, with square pixels
+    framing: Framing | None = None
 
 
 def view_at(
@@ -149,7 +162,7 @@ def view_at(
     resolution = settings.GetResolutionAttr() if settings else None
     if options.image_width is None and resolution and resolution.HasAuthoredValue():
         width, height = resolution.Get(time)
-        _check_size(width, height, f"{settings.GetPath()}: its resolution")
+        check_size(width, height, f"{settings.GetPath()}: its resolution")
         return View(seen, path, width, height)
     width = options.image_width or 960
     aspect = seen.aspectRatio
@@ -157,11 +170,12 @@ def view_at(
         aspect = 1.0
     # Rounded, as 16:9 in floats is a little more than it should be.
     height = max(round(width / aspect), 1)
-    _check_size(width, height, f"{path}: its aspect ratio {aspect:g}")
+    check_size(width, height, f"{path}: its aspect ratio {aspect:g}")
     return View(seen, path, width, height)
 
 
-def _check_size(width: int, height: int, source: str) -> None:
+def check_size(width: int, height: int, source: str) -> None:
+    """Refuses a picture that is empty or too large."""
     if not (1 <= width <= MAX_IMAGE_SIZE and 1 <= height <= MAX_IMAGE_SIZE):
         raise CommandError(
             f"{source} makes a picture of {width} x {height} pixels; "

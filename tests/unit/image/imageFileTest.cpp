@@ -105,6 +105,63 @@ TEST_F(ImageFile, ExrHoldsAllPlanesUnderTheirNames) {
     EXPECT_EQ(_FileCount(), 1u);
 }
 
+TEST_F(ImageFile, LayersAndTypesCanBeChosen) {
+    const std::vector<float> color = Floats(4), depth = Floats(1);
+    ImagePlane beauty = Plane("beauty", 4, color), precise = beauty, z = Plane("Z", 1, depth);
+    beauty.isColor = precise.isColor = true;
+    precise.name = "precise";
+    precise.isHalf = false;
+    z.isHalf = true;
+    const std::string path = _Path("layers.exr");
+    ASSERT_EQ(WriteImage(path, kWidth, kHeight, {beauty, precise, z}), "");
+    const Picture picture = Read(path);
+    std::map<std::string, OIIO::TypeDesc> formats;
+    for (int c = 0; c < picture.spec.nchannels; ++c) {
+        formats[picture.spec.channelnames[c]] = picture.spec.channelformat(c);
+    }
+    const std::map<std::string, OIIO::TypeDesc> expected = {
+        {"beauty.R", OIIO::TypeHalf},   {"beauty.G", OIIO::TypeHalf},
+        {"beauty.B", OIIO::TypeHalf},   {"beauty.A", OIIO::TypeHalf},
+        {"precise.R", OIIO::TypeFloat}, {"precise.G", OIIO::TypeFloat},
+        {"precise.B", OIIO::TypeFloat}, {"precise.A", OIIO::TypeFloat},
+        {"Z.Z", OIIO::TypeHalf}};
+    EXPECT_EQ(formats, expected);
+    EXPECT_EQ(picture.At(2, 3, "precise.G"), color[4 * (3 * kWidth + 2) + 1]);
+}
+
+TEST_F(ImageFile, TheHeaderSaysWhatItIsGiven) {
+    const std::vector<float> color = Floats(4);
+    ImageHeader header;
+    header.x = -3;
+    header.y = 5;
+    header.fullWidth = 200;
+    header.fullHeight = 300;
+    header.pixelAspect = 2;
+    header.texts = {{"shot", "a 12"}};
+    header.numbers = {{"frame", 7.5}};
+    std::array<float, 16> matrix{};
+    for (size_t i = 0; i < matrix.size(); ++i) {
+        matrix[i] = static_cast<float>(i);
+    }
+    header.matrices = {{"worldtocamera", matrix}};
+    const std::string path = _Path("header.exr");
+    ASSERT_EQ(WriteImage(path, kWidth, kHeight, {Plane("color", 4, color)}, header), "");
+    const Picture picture = Read(path);
+    EXPECT_EQ(picture.spec.x, -3);
+    EXPECT_EQ(picture.spec.y, 5);
+    EXPECT_EQ(picture.spec.width, kWidth);
+    EXPECT_EQ(picture.spec.full_x, 0);
+    EXPECT_EQ(picture.spec.full_width, 200);
+    EXPECT_EQ(picture.spec.full_height, 300);
+    EXPECT_EQ(picture.spec.get_float_attribute("PixelAspectRatio"), 2);
+    EXPECT_EQ(picture.spec.get_string_attribute("shot"), "a 12");
+    EXPECT_EQ(picture.spec.get_float_attribute("frame"), 7.5f);
+    const OIIO::ParamValue* const found = picture.spec.find_attribute("worldtocamera");
+    ASSERT_NE(found, nullptr);
+    EXPECT_EQ(found->get<float>(13), 13);
+    EXPECT_NEAR(picture.At(1, 2, "G"), color[4 * (2 * kWidth + 1) + 1], 5e-4f);
+}
+
 TEST_F(ImageFile, HalfDoesNotOverflow) {
     std::vector<float> color = Floats(4);
     color[0] = 1e6f;
