@@ -263,7 +263,7 @@ void TileRenderer::_WriteLevels(const Tile& tile, const Sample& sample) const {
         if (sample.IsHit(lane)) {
             const Instance& instance = _scene.Instances().Instances()[hits.instance[lane]];
             levels = InstanceLevels(_levels, instance).Of(hits.patch[lane]);
-            const int depth = instance.surface->Patches().At(hits.patch[lane]).depth;
+            const int depth = SurfaceOf(instance).Patches().At(hits.patch[lane]).depth;
             isInFan = GridStitch(levels, {0, 0, 1}, 1 << (levels.Finest() - depth), false)
                           .IsInFan({hits.u[lane], hits.v[lane]});
         }

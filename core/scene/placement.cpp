@@ -34,7 +34,7 @@ void Placement::SetInstances(std::vector<AffineTransform> instanceToWorld) {
 
 bool Placement::ClearInstances() { return std::exchange(_instances, std::nullopt).has_value(); }
 
-Placement::Obstacle Placement::Place(const Surface& surface, size_t index,
+Placement::Obstacle Placement::Place(const Geometry& geometry, size_t index,
                                      Instance* instance) const {
     const AffineTransform objectToWorld =
         _instances ? (*_instances)[index] * _objectToWorld : _objectToWorld;
@@ -43,22 +43,22 @@ Placement::Obstacle Placement::Place(const Surface& surface, size_t index,
         !HasUsableEntries(worldToObject)) {
         return Obstacle::Singular;
     }
-    const Box3f bounds = objectToWorld.Box(surface.Bounds());
+    const Box3f bounds = objectToWorld.Box(geometry.Bounds());
     if (!bounds.IsEmpty() && !(IsUsable(bounds.lower) && IsUsable(bounds.upper))) {
         return Obstacle::TooLarge;
     }
-    *instance = {&surface, objectToWorld, worldToObject};
+    *instance = {&geometry, objectToWorld, worldToObject};
     return Obstacle::None;
 }
 
-Placement::Obstacles Placement::FindObstacles(const Surface& surface) const {
+Placement::Obstacles Placement::FindObstacles(const Geometry& geometry) const {
     constexpr size_t kGrainSize = 1024;
     return tbb::parallel_reduce(
         tbb::blocked_range<size_t>(0, Count(), kGrainSize), Obstacles{},
         [&](const tbb::blocked_range<size_t>& part, Obstacles sum) {
             for (size_t i = part.begin(); i < part.end(); ++i) {
                 Instance instance;
-                const Obstacle obstacle = Place(surface, i, &instance);
+                const Obstacle obstacle = Place(geometry, i, &instance);
                 sum.singular += obstacle == Obstacle::Singular;
                 sum.tooLarge += obstacle == Obstacle::TooLarge;
             }

@@ -26,10 +26,10 @@ class Placement {
     size_t Count() const { return _instances ? _instances->size() : 1; }
 
     enum class Obstacle { None, Singular, TooLarge };
-    /// Puts a surface into a place, 0..Count()-1. If that cannot be, the instance is left alone.
-    Obstacle Place(const Surface& surface, size_t index, Instance* instance) const;
+    /// Puts a geometry into a place, 0..Count()-1. If that cannot be, the instance is left alone.
+    Obstacle Place(const Geometry& geometry, size_t index, Instance* instance) const;
 
-    /// What keeps a surface from how many of its places.
+    /// What keeps a geometry from how many of its places.
     struct Obstacles {
         size_t singular = 0, tooLarge = 0;
 
@@ -39,7 +39,7 @@ class Placement {
         }
     };
     /// Tries all places, in parallel.
-    Obstacles FindObstacles(const Surface& surface) const;
+    Obstacles FindObstacles(const Geometry& geometry) const;
     /// Says them in lines for people, without the mesh's name.
     std::vector<std::string> Describe(const Obstacles& obstacles) const;
 

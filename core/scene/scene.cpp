@@ -148,7 +148,7 @@ std::vector<Instance> Scene::_PlaceInstances() {
     });
     size_t placed = 0;
     for (size_t i = 0; i < instances.size(); ++i) {
-        if (instances[i].surface) {
+        if (instances[i].geometry) {
             instances[placed] = instances[i];
             _origins[placed++] = _origins[i];
         }

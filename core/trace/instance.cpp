@@ -23,7 +23,7 @@ class PartOpener {
   public:
     explicit PartOpener(const std::vector<Instance>& instances) : _instances(instances) {
         for (uint32_t i = 0; i < instances.size(); ++i) {
-            const Bvh& bvh = instances[i].surface->PatchBvh();
+            const Bvh& bvh = instances[i].geometry->PrimitiveBvh();
             if (!bvh.IsEmpty()) {
                 _Add({i, 0, InstancePart::kWhole}, bvh.Bounds());
             }
@@ -62,7 +62,7 @@ class PartOpener {
     };
 
     const std::vector<BvhNode>& _Nodes(const InstancePart& part) const {
-        return _instances[part.instance].surface->PatchBvh().Nodes();
+        return _instances[part.instance].geometry->PrimitiveBvh().Nodes();
     }
     uint32_t _Child(const InstancePart& part) const {
         return part.slot == InstancePart::kWhole ? part.node
@@ -92,7 +92,7 @@ InstanceBvh::InstanceBvh(std::vector<Instance> instances) : _instances(std::move
     tbb::parallel_for(size_t(0), _instances.size(), [&](size_t i) {
         Instance& instance = _instances[i];
         instance.isInPlace = instance.objectToWorld == AffineTransform();
-        boxes[i] = instance.objectToWorld.Box(instance.surface->Bounds());
+        boxes[i] = instance.objectToWorld.Box(instance.geometry->Bounds());
     });
     _bvh = Bvh(boxes);
 

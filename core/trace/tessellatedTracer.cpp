@@ -111,7 +111,7 @@ void TraceTessellations(const InstanceBvh& instances, int level, ObjectRays* wor
                         const RayPacket& world, HitPacket* hits, TraceStatistics* statistics) {
     TraceInstances<PacketRays>(
         instances, world, worldRays, statistics, [&](uint32_t instance, PacketRays* rays) {
-            const Surface& surface = *instances.Instances()[instance].surface;
+            const Surface& surface = SurfaceOf(instances.Instances()[instance]);
             const Tessellation& tessellation = surface.TessellationAt(level);
             BlockIntersector<kAnyHit> intersector(tessellation, instance, rays, hits, statistics);
             TraverseBvh(tessellation.BlockBvh(), rays, statistics,

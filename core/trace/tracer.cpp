@@ -24,11 +24,11 @@ void TracePatches(const InstanceBvh& instances, const LevelMetric& levels, const
     TraceParts<kOrder, Rays>(
         instances, world, worldRays, statistics,
         [&](uint32_t instance, Rays* rays, const TraversalStart& start) {
-            const Surface& surface = *instances.Instances()[instance].surface;
+            const Surface& surface = SurfaceOf(instances.Instances()[instance]);
             PatchIntersector<Rays, kAnyHit> intersector(instances.Instances()[instance], instance,
                                                         levels, rays, hits, grids, statistics);
             TraverseBvh<kOrder>(
-                surface.PatchBvh(), start, rays, statistics,
+                surface.PrimitiveBvh(), start, rays, statistics,
                 [&](uint32_t patch, uint64_t hitting, const Box3f& box) {
                     intersector.Intersect(patch, hitting, box);
                     return !intersector.IsDone();
