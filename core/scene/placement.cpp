@@ -69,24 +69,26 @@ Placement::Obstacles Placement::FindObstacles(const Geometry& geometry) const {
         });
 }
 
-std::vector<std::string> Placement::Describe(const Obstacles& obstacles) const {
+std::vector<std::string> Placement::Describe(const Obstacles& obstacles,
+                                             const std::string& is) const {
+    const std::string leftOut = "; " + is + " left out";
     std::vector<std::string> lines;
     if (obstacles.singular > 0) {
-        lines.push_back(_DescribeOne(obstacles.singular, "has a singular or non-finite transform",
+        lines.push_back(_DescribeOne(obstacles.singular, "has a singular or non-finite transform" + leftOut,
                                      "have a singular or non-finite transform"));
     }
     if (obstacles.tooLarge > 0) {
-        lines.push_back(_DescribeOne(obstacles.tooLarge, "is too large once transformed",
+        lines.push_back(_DescribeOne(obstacles.tooLarge, "is too large once transformed" + leftOut,
                                      "are too large once transformed"));
     }
     return lines;
 }
 
-std::string Placement::_DescribeOne(size_t count, const char* ofMesh,
+std::string Placement::_DescribeOne(size_t count, const std::string& ofOne,
                                     const char* ofInstances) const {
     return IsInstanced() ? std::to_string(count) + " of " + std::to_string(Count()) +
                                " instances " + ofInstances + "; they are left out"
-                         : std::string(ofMesh) + "; the mesh is left out";
+                         : ofOne;
 }
 
 }  // namespace cc

@@ -10,16 +10,16 @@
 
 namespace cc {
 
-/// Where a mesh stands in the world: in one place, or wherever its instances are.
+/// Where a shape stands in the world: in one place, or wherever its instances are.
 class Placement {
   public:
-    /// Moves the mesh, each instance of it in that instance's own space.
+    /// Moves the shape, each instance of it in that instance's own space.
     /// Returns true if that changes anything.
     bool SetTransform(const AffineTransform& objectToWorld);
-    /// Puts instances in the place of the mesh itself; none is nowhere. Each map is applied after
-    /// the mesh's own transform.
+    /// Puts instances in the place of the shape itself; none is nowhere. Each map is applied after
+    /// the shape's own transform.
     void SetInstances(std::vector<AffineTransform> instanceToWorld);
-    /// Puts the mesh itself back. Returns true if there were instances.
+    /// Puts the shape itself back. Returns true if there were instances.
     bool ClearInstances();
 
     bool IsInstanced() const { return _instances.has_value(); }
@@ -40,8 +40,9 @@ class Placement {
     };
     /// Tries all places, in parallel.
     Obstacles FindObstacles(const Geometry& geometry) const;
-    /// Says them in lines for people, without the mesh's name.
-    std::vector<std::string> Describe(const Obstacles& obstacles) const;
+    /// Says them in lines for people, without the name of what is placed.
+    /// @param is  what is placed, and its verb: "the mesh is"
+    std::vector<std::string> Describe(const Obstacles& obstacles, const std::string& is) const;
 
     /// Memory held, in bytes.
     size_t Bytes() const {
@@ -49,10 +50,11 @@ class Placement {
     }
 
   private:
-    std::string _DescribeOne(size_t count, const char* ofMesh, const char* ofInstances) const;
+    std::string _DescribeOne(size_t count, const std::string& ofOne,
+                             const char* ofInstances) const;
 
     AffineTransform _objectToWorld;
-    /// Without a value the mesh is not instanced.
+    /// Without a value the shape is not instanced.
     std::optional<std::vector<AffineTransform>> _instances;
 };
 

@@ -53,15 +53,20 @@ double SecondsSince(std::chrono::steady_clock::time_point start) {
 Scene::Scene() = default;
 Scene::~Scene() = default;
 
-Mesh* Scene::AddMesh(std::string name) {
+template <class Kind>
+Kind* Scene::_AddShape(std::string name) {
+    auto shape = std::make_unique<Kind>(std::move(name));
+    Kind* const added = shape.get();
     const std::lock_guard<std::mutex> lock(_mutex);
-    _meshes.push_back(std::make_unique<Mesh>(std::move(name)));
-    return _meshes.back().get();
+    _shapes.push_back(std::move(shape));
+    return added;
 }
 
-void Scene::RemoveMesh(Mesh* mesh) {
+Mesh* Scene::AddMesh(std::string name) { return _AddShape<Mesh>(std::move(name)); }
+
+void Scene::RemoveShape(Shape* shape) {
     const std::lock_guard<std::mutex> lock(_mutex);
-    Remove(&_meshes, mesh);
+    Remove(&_shapes, shape);
 }
 
 Light* Scene::AddLight() {
@@ -78,52 +83,52 @@ void Scene::RemoveLight(Light* light) {
 std::vector<std::string> Scene::Build(const std::vector<std::string>& renderTags,
                                       std::optional<int> tessellationLevel) {
     const auto start = std::chrono::steady_clock::now();
-    // Threads add meshes and lights in any order; pictures and warnings must not depend on it.
-    std::stable_sort(_meshes.begin(), _meshes.end(),
+    // Threads add shapes and lights in any order; pictures and warnings must not depend on it.
+    std::stable_sort(_shapes.begin(), _shapes.end(),
                      [](const auto& a, const auto& b) { return a->Name() < b->Name(); });
     std::stable_sort(_lights.begin(), _lights.end(),
                      [](const auto& a, const auto& b) { return IsBefore(*a, *b); });
-    std::vector<Mesh*> meshes;
+    std::vector<Shape*> shapes;
     const auto isAsked = [&](const std::string& tag) {
         return renderTags.empty() ||
                std::find(renderTags.begin(), renderTags.end(), tag) != renderTags.end();
     };
-    for (const auto& mesh : _meshes) {
-        if (mesh->_visible && isAsked(mesh->_renderTag)) {
-            meshes.push_back(mesh.get());
+    for (const auto& shape : _shapes) {
+        if (shape->_visible && isAsked(shape->_renderTag)) {
+            shapes.push_back(shape.get());
         }
     }
     std::vector<std::string> lines;
-    const bool meshesChanged = _BuildMeshes(meshes, &lines);
-    _BuildTopLevel(meshes, meshesChanged);
+    const bool shapesChanged = _BuildShapes(shapes, &lines);
+    _BuildTopLevel(shapes, shapesChanged);
     _Tessellate(tessellationLevel, &lines);
     _work.buildSeconds = SecondsSince(start);
     return lines;
 }
 
-bool Scene::_BuildMeshes(const std::vector<Mesh*>& meshes, std::vector<std::string>* lines) {
-    std::vector<Mesh::BuildReport> reports(meshes.size());
-    tbb::parallel_for(size_t(0), meshes.size(),
-                      [&](size_t i) { reports[i] = meshes[i]->_Build(); });
+bool Scene::_BuildShapes(const std::vector<Shape*>& shapes, std::vector<std::string>* lines) {
+    std::vector<Shape::BuildReport> reports(shapes.size());
+    tbb::parallel_for(size_t(0), shapes.size(),
+                      [&](size_t i) { reports[i] = shapes[i]->_Build(); });
     bool changed = false;
-    for (size_t i = 0; i < meshes.size(); ++i) {
-        const Mesh::BuildReport& report = reports[i];
+    for (size_t i = 0; i < shapes.size(); ++i) {
+        const Shape::BuildReport& report = reports[i];
         changed = changed || report.topLevelChanged;
-        _work.surfacesBuilt += report.work == Mesh::SurfaceWork::Rebuilt;
-        _work.surfacesMoved += report.work == Mesh::SurfaceWork::Moved;
+        _work.surfacesBuilt += report.work == Shape::GeometryWork::Rebuilt;
+        _work.surfacesMoved += report.work == Shape::GeometryWork::Moved;
         _work.primvarsBuilt += report.primvarsBuilt;
         for (const std::string& line : report.lines) {
-            lines->push_back("<" + meshes[i]->Name() + ">: " + line);
+            lines->push_back("<" + shapes[i]->Name() + ">: " + line);
         }
     }
     return changed;
 }
 
-void Scene::_BuildTopLevel(const std::vector<Mesh*>& meshes, bool meshesChanged) {
-    std::vector<const Mesh*> shown;
-    std::copy_if(meshes.begin(), meshes.end(), std::back_inserter(shown),
-                 [](const Mesh* mesh) { return mesh->_IsShown(); });
-    if (!meshesChanged && shown == _shown) {
+void Scene::_BuildTopLevel(const std::vector<Shape*>& shapes, bool shapesChanged) {
+    std::vector<const Shape*> shown;
+    std::copy_if(shapes.begin(), shapes.end(), std::back_inserter(shown),
+                 [](const Shape* shape) { return shape->_IsShown(); });
+    if (!shapesChanged && shown == _shown) {
         return;
     }
     _shown = std::move(shown);
@@ -134,15 +139,15 @@ void Scene::_BuildTopLevel(const std::vector<Mesh*>& meshes, bool meshesChanged)
 
 std::vector<Instance> Scene::_PlaceInstances() {
     std::vector<size_t> firsts{0};
-    for (const Mesh* mesh : _shown) {
-        firsts.push_back(firsts.back() + mesh->_placement.Count());
+    for (const Shape* shape : _shown) {
+        firsts.push_back(firsts.back() + shape->_placement.Count());
     }
     std::vector<Instance> instances(firsts.back());
     _origins.assign(firsts.back(), {});
     tbb::parallel_for(size_t(0), _shown.size(), [&](size_t m) {
-        const Mesh& mesh = *_shown[m];
-        tbb::parallel_for(size_t(0), mesh._placement.Count(), [&, m](size_t i) {
-            mesh._placement.Place(*mesh.BuiltSurface(), i, &instances[firsts[m] + i]);
+        const Shape& shape = *_shown[m];
+        tbb::parallel_for(size_t(0), shape._placement.Count(), [&, m](size_t i) {
+            shape._placement.Place(*shape.BuiltGeometry(), i, &instances[firsts[m] + i]);
             _origins[firsts[m] + i] = {static_cast<uint32_t>(m), static_cast<uint32_t>(i)};
         });
     });
@@ -160,8 +165,8 @@ std::vector<Instance> Scene::_PlaceInstances() {
 
 int Scene::PrimvarArity(const std::string& name) const {
     int arity = 0;
-    for (const Mesh* mesh : _shown) {
-        const PrimvarField* primvar = mesh->FindPrimvar(name);
+    for (const Shape* shape : _shown) {
+        const PrimvarField* primvar = shape->FindPrimvar(name);
         arity = primvar ? std::max(arity, primvar->Arity()) : arity;
     }
     return arity;
@@ -170,15 +175,20 @@ int Scene::PrimvarArity(const std::string& name) const {
 /// Tessellates the surfaces that are shown, if a level is given, and drops all other tessellations.
 void Scene::_Tessellate(std::optional<int> level, std::vector<std::string>* lines) {
     const bool isOtherLevel = std::exchange(_tessellationLevel, level) != level;
-    const std::unordered_set<const Mesh*> shown(_shown.begin(), _shown.end());
+    const std::unordered_set<const Shape*> shown(_shown.begin(), _shown.end());
     std::vector<Surface*> surfaces;
-    for (const auto& mesh : _meshes) {
-        const bool isShown = level && shown.count(mesh.get()) != 0;
-        if (isShown) {
-            surfaces.push_back(mesh->_surface.get());
+    for (const auto& shape : _shapes) {
+        Geometry* const geometry = shape->_Geometry();
+        if (!geometry || geometry->Kind() != GeometryKind::Surface) {
+            continue;
         }
-        if (mesh->_surface && (!isShown || isOtherLevel)) {
-            mesh->_surface->DropTessellation();
+        auto* const surface = static_cast<Surface*>(geometry);
+        const bool isShown = level && shown.count(shape.get()) != 0;
+        if (isShown) {
+            surfaces.push_back(surface);
+        }
+        if (!isShown || isOtherLevel) {
+            surface->DropTessellation();
         }
     }
     const std::string obstacle = level ? WhyNotTessellate(surfaces, *level) : std::string();
@@ -199,16 +209,20 @@ void Scene::_Tessellate(std::optional<int> level, std::vector<std::string>* line
 
 Scene::Statistics Scene::GetStatistics() const {
     Statistics statistics = _work;
-    for (const Mesh* mesh : _shown) {
-        statistics.faces += mesh->_faces.FaceCount();
-        statistics.patches += mesh->BuiltSurface()->Patches().Count();
-        statistics.bytes += mesh->_Bytes();
-        statistics.tessellationBytes += mesh->BuiltSurface()->TessellationBytes();
+    for (const Shape* shape : _shown) {
+        statistics.faces += shape->_FaceCount();
+        statistics.bytes += shape->_Bytes();
+        const Geometry& geometry = *shape->BuiltGeometry();
+        if (geometry.Kind() == GeometryKind::Surface) {
+            statistics.patches += geometry.PrimitiveCount();
+            statistics.tessellationBytes +=
+                static_cast<const Surface&>(geometry).TessellationBytes();
+        }
     }
     statistics.bytes += LimitGridPlans::SharedBytes();
     statistics.instances = _instances.Instances().size();
     statistics.bytes += _instances.Instances().capacity() * sizeof(Instance) + _instances.Bytes() +
-                        _shown.capacity() * sizeof(const Mesh*) +
+                        _shown.capacity() * sizeof(const Shape*) +
                         _origins.capacity() * sizeof(Origin);
     return statistics;
 }
