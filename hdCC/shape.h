@@ -87,8 +87,7 @@ class HdCCShape : public Base {
                                _HasElements());
         }
         if (bits & HdChangeTracker::DirtyTransform) {
-            _sync.GetShape()->SetTransform(
-                HdCCToTransform(delegate->GetTransform(this->GetId())));
+            _sync.GetShape()->SetTransform(HdCCToTransform(delegate->GetTransform(this->GetId())));
         }
         this->_UpdateVisibility(delegate, dirtyBits);
         _sync.GetShape()->SetRenderTag(this->GetRenderTag().GetString());

@@ -297,7 +297,8 @@ void TileRenderer::_WritePrimvar(const Tile& tile, const Sample& sample, const A
     const HitPacket& hits = sample.hits;
     for (int lane = 0; lane < sample.rays.count; ++lane) {
         const size_t pixel = PixelOf(tile, lane, _film->Width());
-        const Shape* shape = sample.IsHit(lane) ? &_scene.InstanceShape(hits.instance[lane]) : nullptr;
+        const Shape* shape =
+            sample.IsHit(lane) ? &_scene.InstanceShape(hits.instance[lane]) : nullptr;
         const PrimvarField* primvar = shape ? shape->FindPrimvar(aov.primvar) : nullptr;
         coverage[pixel] = primvar != nullptr;
         if (primvar) {

@@ -176,8 +176,7 @@ std::string Mesh::_Without(const std::string& name) const {
     return _IsNormals(name) ? "facets are shown" : Shape::_Without(name);
 }
 
-PrimvarField Mesh::_MakeField(const std::string& name, Primvar primvar,
-                              BuildReport* report) const {
+PrimvarField Mesh::_MakeField(const std::string& name, Primvar primvar, BuildReport* report) const {
     const size_t zeroes = _IsNormals(name) ? CountZeroes(primvar) : 0;
     if (zeroes > 0) {
         report->lines.push_back(std::to_string(zeroes) +

@@ -11,8 +11,8 @@
 
 namespace cc {
 
-/// A subdivision mesh in the scene. Under scheme none it is shaded with its normals, of three numbers
-/// each.
+/// A subdivision mesh in the scene. Under scheme none it is shaded with its normals, of three
+/// numbers each.
 class Mesh final : public Shape {
   public:
     explicit Mesh(std::string name);

@@ -74,7 +74,8 @@ std::vector<std::string> Placement::Describe(const Obstacles& obstacles,
     const std::string leftOut = "; " + is + " left out";
     std::vector<std::string> lines;
     if (obstacles.singular > 0) {
-        lines.push_back(_DescribeOne(obstacles.singular, "has a singular or non-finite transform" + leftOut,
+        lines.push_back(_DescribeOne(obstacles.singular,
+                                     "has a singular or non-finite transform" + leftOut,
                                      "have a singular or non-finite transform"));
     }
     if (obstacles.tooLarge > 0) {

@@ -50,8 +50,7 @@ class Placement {
     }
 
   private:
-    std::string _DescribeOne(size_t count, const std::string& ofOne,
-                             const char* ofInstances) const;
+    std::string _DescribeOne(size_t count, const std::string& ofOne, const char* ofInstances) const;
 
     AffineTransform _objectToWorld;
     /// Without a value the shape is not instanced.

@@ -19,8 +19,8 @@ struct ShapePoint {
 };
 
 /// A primvar spread over a shape, or over its instances. Over the patches of a mesh it is constant,
-/// one a face, refined like the points, linear over each authored face, or a face-varying surface of
-/// its own; other shapes take its elements and spread them by themselves.
+/// one a face, refined like the points, linear over each authored face, or a face-varying surface
+/// of its own; other shapes take its elements and spread them by themselves.
 class PrimvarField {
   public:
     /// A field without values, which must not be evaluated.

@@ -8,6 +8,7 @@
 
 #include "core/scene/light.h"
 #include "core/scene/mesh.h"
+#include "core/scene/points.h"
 #include "core/trace/instance.h"
 
 namespace cc {
@@ -21,12 +22,13 @@ class Scene {
 
     /// The scene owns what it returns.
     Mesh* AddMesh(std::string name);
+    Points* AddPoints(std::string name);
     void RemoveShape(Shape* shape);
     Light* AddLight();
     void RemoveLight(Light* light);
 
-    /// Brings geometries and the top level up to date, in parallel, doing only what changes ask for:
-    /// topology rebuilds one shape, points only its bounds, a transform only the top level.
+    /// Brings geometries and the top level up to date, in parallel, doing only what changes ask
+    /// for: topology rebuilds one shape, points only its bounds, a transform only the top level.
     /// @param renderTags         shapes with another tag are left out; without any, none is
     /// @param tessellationLevel  for TracerKind::Tessellated: what is shown is tessellated at this
     ///                           level, 0..8, unless memory does not hold that; without one the
@@ -54,8 +56,8 @@ class Scene {
     /// Most numbers a value that a primvar has on any shape that is shown; 0 if none has it.
     int PrimvarArity(const std::string& name) const;
 
-    /// Authored faces, patches and bytes of structures of all that is built, each shape counted once
-    /// however many its instances, and limit grid plans of the process among them.
+    /// Authored faces, patches and bytes of structures of all that is built, each shape counted
+    /// once however many its instances, and limit grid plans of the process among them.
     struct Statistics {
         size_t faces = 0, patches = 0, instances = 0, bytes = 0;
         size_t tessellationBytes = 0;  ///< of bytes: those of tessellations

@@ -6,6 +6,7 @@
 #include <hwy/highway.h>
 
 #include "core/trace/algorithm1-inl.h"
+#include "core/trace/geometryTracing-inl.h"
 #include "core/trace/instanceTraversal-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -19,6 +20,10 @@ void TraceAlgorithm1(const InstanceBvh& instances, int level, ObjectRays* worldR
     TraceParts<ChildOrder::NearestFirst, TupleRays>(
         instances, world, worldRays, statistics,
         [&](uint32_t instance, TupleRays* rays, const TraversalStart& start) {
+            if (instances.Instances()[instance].geometry->Kind() != GeometryKind::Surface) {
+                return TraceGeometry<PacketRays, kAnyHit>(instances.Instances()[instance], instance,
+                                                          start, rays, hits, statistics);
+            }
             const Surface& surface = SurfaceOf(instances.Instances()[instance]);
             Algorithm1<kVectors, kAnyHit> algorithm(surface, instance, level, rays, hits, texture,
                                                     statistics);

@@ -6,6 +6,7 @@
 #include <hwy/highway.h>
 
 #include "core/trace/algorithm1Tracer.h"
+#include "core/trace/geometryTracing-inl.h"
 #include "core/trace/instanceTraversal-inl.h"
 #include "core/trace/packetKernels.h"
 #include "core/trace/patchIntersector-inl.h"
@@ -24,6 +25,10 @@ void TracePatches(const InstanceBvh& instances, const LevelMetric& levels, const
     TraceParts<kOrder, Rays>(
         instances, world, worldRays, statistics,
         [&](uint32_t instance, Rays* rays, const TraversalStart& start) {
+            if (instances.Instances()[instance].geometry->Kind() != GeometryKind::Surface) {
+                return TraceGeometry<Rays, kAnyHit>(instances.Instances()[instance], instance,
+                                                    start, rays, hits, statistics);
+            }
             const Surface& surface = SurfaceOf(instances.Instances()[instance]);
             PatchIntersector<Rays, kAnyHit> intersector(instances.Instances()[instance], instance,
                                                         levels, rays, hits, grids, statistics);

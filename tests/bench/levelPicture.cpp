@@ -23,7 +23,8 @@ std::array<float, 3> Show(const cc::Instance& instance, const cc::LevelMetric& m
     const bool isInFan =
         cc::GridStitch(levels, {0, 0, 1}, side, false).IsInFan({hit.u[0], hit.v[0]});
     const cc::Vec3f normal =
-        EvaluateLimit(patches, patch, cc::SurfaceOf(instance).PatchPoints().data(), hit.u[0], hit.v[0])
+        EvaluateLimit(patches, patch, cc::SurfaceOf(instance).PatchPoints().data(), hit.u[0],
+                      hit.v[0])
             .normal;
     const cc::Vec3f direction{ray.directionX[0], ray.directionY[0], ray.directionZ[0]};
     const float facing = std::abs(
