@@ -1,40 +1,28 @@
 #include "hdCC/mesh.h"
 
-#include <algorithm>
 #include <string>
 #include <vector>
 
 #include "pxr/base/tf/diagnostic.h"
 #include "pxr/base/tf/staticTokens.h"
 #include "pxr/imaging/hd/changeTracker.h"
-#include "pxr/imaging/hd/extComputationUtils.h"
-#include "pxr/imaging/hd/renderIndex.h"
 #include "pxr/imaging/hd/sceneDelegate.h"
 
 #include "hdCC/convert.h"
-#include "hdCC/instancer.h"
-#include "hdCC/motion.h"
-#include "hdCC/primvars.h"
-#include "hdCC/renderParam.h"
 
 PXR_NAMESPACE_OPEN_SCOPE
 
-TF_DEFINE_PRIVATE_TOKENS(_tokens, (points)(displayColor)(normals));
+TF_DEFINE_PRIVATE_TOKENS(_tokens, (normals));
 
 HdCCMesh::HdCCMesh(SdfPath const &id, HdCCRenderParam *param)
-    : HdMesh(id), _mesh(param->GetScene()->AddMesh(id.GetString())), _param(param) {
-    _mesh->SetVisible(false);
-    param->AddMesh(this);
-}
+    : HdCCMesh(id, param, param->GetScene()->AddMesh(id.GetString())) {}
+
+HdCCMesh::HdCCMesh(SdfPath const &id, HdCCRenderParam *param, cc::Mesh *mesh)
+    : HdCCShape(id, param, mesh), _mesh(mesh) {}
 
 HdDirtyBits HdCCMesh::GetInitialDirtyBitsMask() const {
-    return HdChangeTracker::DirtyPrimID | HdChangeTracker::DirtyTopology |
-           HdChangeTracker::DirtySubdivTags | HdChangeTracker::DirtyPoints |
-           HdChangeTracker::DirtyPrimvar | HdChangeTracker::DirtyNormals |
-           HdChangeTracker::DirtyComputationPrimvarDesc | HdChangeTracker::DirtyTransform |
-           HdChangeTracker::DirtyVisibility | HdChangeTracker::DirtyDoubleSided |
-           HdChangeTracker::DirtyCullStyle | HdChangeTracker::DirtyInstancer |
-           HdChangeTracker::DirtyInstanceIndex | HdChangeTracker::DirtyRenderTag;
+    return HdCCShape::GetInitialDirtyBitsMask() | HdChangeTracker::DirtySubdivTags |
+           HdChangeTracker::DirtyDoubleSided | HdChangeTracker::DirtyCullStyle;
 }
 
 HdDirtyBits HdCCMesh::_PropagateDirtyBits(HdDirtyBits bits) const {
@@ -44,51 +32,19 @@ HdDirtyBits HdCCMesh::_PropagateDirtyBits(HdDirtyBits bits) const {
     return bits & surface ? bits | surface : bits;
 }
 
-void HdCCMesh::_InitRepr(TfToken const &repr, HdDirtyBits *) {
-    for (auto const &known : _reprs) {
-        if (known.first == repr) {
-            return;
-        }
-    }
-    _reprs.emplace_back(repr, HdReprSharedPtr());
-}
-
-void HdCCMesh::Sync(HdSceneDelegate *delegate, HdRenderParam *param, HdDirtyBits *dirtyBits,
-                    TfToken const &) {
-    const HdCCRenderParam::SyncScope scope(param);
-    HdCCRenderParam *const shared = static_cast<HdCCRenderParam *>(param);
-    const HdDirtyBits bits = *dirtyBits;
-    _delegate = delegate;
-
-    // First, as primvars may be those of instances.
-    _UpdateInstancer(delegate, dirtyBits);
-    HdInstancer::_SyncInstancerAndParents(delegate->GetRenderIndex(), GetInstancerId());
-    if (bits & (HdChangeTracker::DirtyInstancer | HdChangeTracker::DirtyInstanceIndex)) {
-        _SyncInstances(delegate);
-    }
-    if (bits & HdChangeTracker::DirtyPrimID) {
-        _mesh->SetPrimId(GetPrimId());
-    }
+void HdCCMesh::_SyncGeometry(HdSceneDelegate *delegate, HdCCRenderParam *param, HdDirtyBits bits) {
     if (bits & (HdChangeTracker::DirtyTopology | HdChangeTracker::DirtySubdivTags)) {
-        _SyncTopology(delegate, shared);
+        _SyncTopology(delegate, param);
+        if (!_isPolygonal) {
+            _mesh->SetPrimvar(_tokens->normals, cc::Primvar());  // unless asked for
+        }
     }
     if (bits & (HdChangeTracker::DirtyPoints | HdChangeTracker::DirtyComputationPrimvarDesc)) {
         _SyncPoints(delegate);
     }
-    if (bits & (HdChangeTracker::DirtyPrimvar | HdChangeTracker::DirtyNormals |
-                HdChangeTracker::DirtyTopology | HdChangeTracker::DirtyInstancer |
-                HdChangeTracker::DirtyInstanceIndex)) {
-        _SyncPrimvars(delegate, shared->GetPrimvarsAskedFor());
-    }
-    if (bits & HdChangeTracker::DirtyTransform) {
-        _SyncTransform(delegate);
-    }
     if (bits & (HdChangeTracker::DirtyDoubleSided | HdChangeTracker::DirtyCullStyle)) {
         _SyncSides(delegate);
     }
-    _SyncShown(delegate, dirtyBits);
-
-    *dirtyBits &= ~HdDirtyBits(HdChangeTracker::AllSceneDirtyBits);
 }
 
 void HdCCMesh::_SyncTopology(HdSceneDelegate *delegate, HdCCRenderParam *param) {
@@ -109,36 +65,10 @@ void HdCCMesh::_SyncTopology(HdSceneDelegate *delegate, HdCCRenderParam *param) 
     _mesh->SetTopology(std::move(mesh));
 }
 
-/// Points that a computation makes, as UsdSkel does; an empty value if none makes them.
-static VtValue _ComputedPoints(HdSceneDelegate *delegate, SdfPath const &id) {
-    const HdExtComputationPrimvarDescriptorVector primvars =
-        delegate->GetExtComputationPrimvarDescriptors(id, HdInterpolationVertex);
-    for (HdExtComputationPrimvarDescriptor const &primvar : primvars) {
-        if (primvar.name == _tokens->points) {
-            return HdExtComputationUtils::GetComputedPrimvarValues({primvar},
-                                                                   delegate)[_tokens->points];
-        }
-    }
-    return VtValue();
-}
-
 void HdCCMesh::_SyncPoints(HdSceneDelegate *delegate) {
-    const VtValue computed = _ComputedPoints(delegate, GetId());
-    const cc::Moving<VtValue> values =
-        computed.IsEmpty()
-            ? HdCCSamplePrimvar(delegate, GetId(), _tokens->points, _param->GetShutter())
-            : cc::Moving<VtValue>(computed);
-    _hasPoints = true;
-    cc::Moving<std::vector<cc::Vec3f>> points =
-        HdCCConvertPoses<std::vector<cc::Vec3f>>(values, [&](VtValue const &value) {
-            std::vector<cc::Vec3f> pose;
-            if (!HdCCToVec3fs(value, &pose) && _hasPoints) {
-                _hasPoints = false;
-                TF_WARN("<%s>: points have the type %s, not point3f[]; the mesh is left out",
-                        GetId().GetText(), value.GetTypeName().c_str());
-            }
-            return pose;
-        });
+    cc::Moving<std::vector<cc::Vec3f>> points;
+    _hasPoints =
+        HdCCSyncPoints(delegate, GetId(), "mesh is", _GetParam()->GetShutter(), &points);
     if (points.IsMoving()) {
         _mesh->SetMovingPoints(std::move(points));
     } else {
@@ -146,54 +76,11 @@ void HdCCMesh::_SyncPoints(HdSceneDelegate *delegate) {
     }
 }
 
-void HdCCMesh::_SyncTransform(HdSceneDelegate *delegate) {
-    _mesh->SetMovingTransform(HdCCSampleTransform(delegate, GetId(), _param->GetShutter()));
-}
-
-void HdCCMesh::SyncLateMotion() {
-    if (_delegate) {
-        _SyncPoints(_delegate);
-        _SyncTransform(_delegate);
-        _SyncInstances(_delegate);
-    }
-}
-
-void HdCCMesh::_SyncPrimvar(HdSceneDelegate *delegate, TfToken const &name) {
-    cc::Primvar primvar;
-    std::string error;
-    const bool isOwn =
-        HdCCGetPrimvar(delegate, GetId(), name,
-                       {HdInterpolationConstant, HdInterpolationUniform, HdInterpolationVarying,
-                        HdInterpolationVertex, HdInterpolationFaceVarying},
-                       &primvar, &error);
-    HdCCInstancer const *const instancer = _Instancer(delegate);
-    const bool isFound =
-        isOwn || (instancer && instancer->FindPrimvar(GetId(), name, &primvar, &error));
-    if (!error.empty()) {
-        TF_WARN("<%s>: %s", GetId().GetText(), error.c_str());
-    } else if (isFound && primvar.IsEmpty() && _hasFaces && _hasInstances) {
-        TF_WARN("<%s>: primvars:%s has no values; it is ignored", GetId().GetText(),
-                name.GetText());
-    }
-    _mesh->SetPrimvar(name.GetString(), std::move(primvar));
-}
-
-void HdCCMesh::_SyncPrimvars(HdSceneDelegate *delegate, TfTokenVector names) {
-    names.push_back(_tokens->displayColor);
+TfTokenVector HdCCMesh::_PrimvarNames(TfTokenVector asked) const {
     if (_isPolygonal) {
-        names.push_back(_tokens->normals);
-    } else if (std::find(names.begin(), names.end(), _tokens->normals) == names.end()) {
-        _mesh->SetPrimvar(_tokens->normals, cc::Primvar());
+        asked.push_back(_tokens->normals);
     }
-    for (TfToken const &name : names) {
-        _SyncPrimvar(delegate, name);
-    }
-}
-
-void HdCCMesh::SyncLatePrimvar(TfToken const &name) {
-    if (_delegate && name != _tokens->displayColor) {
-        _SyncPrimvar(_delegate, name);
-    }
+    return HdCCShape::_PrimvarNames(std::move(asked));
 }
 
 void HdCCMesh::_SyncSides(HdSceneDelegate *delegate) {
@@ -205,44 +92,6 @@ void HdCCMesh::_SyncSides(HdSceneDelegate *delegate) {
         TF_WARN("<%s>: culling front faces is not supported; both sides are shown",
                 GetId().GetText());
     }
-}
-
-void HdCCMesh::_SyncShown(HdSceneDelegate *delegate, HdDirtyBits *dirtyBits) {
-    _UpdateVisibility(delegate, dirtyBits);
-    _mesh->SetRenderTag(GetRenderTag().GetString());
-    _mesh->SetVisible(IsVisible() && _hasTopology && _hasPoints);
-}
-
-HdCCInstancer const *HdCCMesh::_Instancer(HdSceneDelegate *delegate) const {
-    return static_cast<HdCCInstancer const *>(
-        delegate->GetRenderIndex().GetInstancer(GetInstancerId()));
-}
-
-void HdCCMesh::_SyncInstances(HdSceneDelegate *delegate) {
-    HdCCInstancer const *const instancer = _Instancer(delegate);
-    if (!instancer) {
-        _mesh->ClearInstances();
-        _hasInstances = true;
-        return;
-    }
-    cc::Moving<std::vector<cc::AffineTransform>> instances = instancer->ComputeInstances(GetId());
-    _hasInstances = !instances.Poses().front().empty();
-    _mesh->SetMovingInstances(std::move(instances));
-}
-
-void HdCCMesh::UpdateRenderTag(HdSceneDelegate *delegate, HdRenderParam *param) {
-    const HdCCRenderParam::SyncScope scope(param);
-    HdMesh::UpdateRenderTag(delegate, param);
-    _mesh->SetRenderTag(GetRenderTag().GetString());
-}
-
-void HdCCMesh::Finalize(HdRenderParam *param) {
-    const HdCCRenderParam::SyncScope scope(param);
-    HdCCRenderParam *const shared = static_cast<HdCCRenderParam *>(param);
-    shared->RemoveMesh(this);
-    shared->GetScene()->RemoveMesh(_mesh);
-    _mesh = nullptr;
-    HdMesh::Finalize(param);
 }
 
 PXR_NAMESPACE_CLOSE_SCOPE

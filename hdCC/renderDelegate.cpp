@@ -10,6 +10,7 @@
 #include "hdCC/light.h"
 #include "hdCC/mesh.h"
 #include "hdCC/passiveSprims.h"
+#include "hdCC/points.h"
 #include "hdCC/renderBuffer.h"
 #include "hdCC/renderPass.h"
 #include "hdCC/renderSettings.h"
@@ -36,7 +37,7 @@ static TfTokenVector _Tokens(std::initializer_list<char const *> names) {
 }
 
 TfTokenVector const &HdCCRenderDelegate::GetSupportedRprimTypes() const {
-    static const TfTokenVector types = _Tokens({"mesh"});
+    static const TfTokenVector types = _Tokens({"mesh", "points"});
     return types;
 }
 
@@ -205,7 +206,10 @@ void HdCCRenderDelegate::DestroyInstancer(HdInstancer *instancer) { delete insta
 
 HdRprim *HdCCRenderDelegate::CreateRprim(TfToken const &type, SdfPath const &id) {
     const HdCCRenderParam::SyncScope scope(&_param);
-    return type == "mesh" ? new HdCCMesh(id, &_param) : nullptr;
+    if (type == "mesh") {
+        return new HdCCMesh(id, &_param);
+    }
+    return type == "points" ? new HdCCPoints(id, &_param) : nullptr;
 }
 
 void HdCCRenderDelegate::DestroyRprim(HdRprim *prim) { delete prim; }

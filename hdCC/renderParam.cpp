@@ -4,7 +4,7 @@
 
 #include "pxr/base/tf/diagnostic.h"
 
-#include "hdCC/mesh.h"
+#include "hdCC/shape.h"
 
 PXR_NAMESPACE_OPEN_SCOPE
 
@@ -44,29 +44,29 @@ void HdCCRenderParam::WarnOnce(SdfPath const &id, std::string const &message) {
     TF_WARN("%s", line.c_str());
 }
 
-void HdCCRenderParam::AddMesh(HdCCMesh *mesh) {
+void HdCCRenderParam::AddShape(HdCCShapeSync *shape) {
     const std::lock_guard<std::mutex> lock(_mutex);
-    _meshes.insert(mesh);
+    _shapes.insert(shape);
 }
 
-void HdCCRenderParam::RemoveMesh(HdCCMesh *mesh) {
+void HdCCRenderParam::RemoveShape(HdCCShapeSync *shape) {
     const std::lock_guard<std::mutex> lock(_mutex);
-    _meshes.erase(mesh);
+    _shapes.erase(shape);
 }
 
 void HdCCRenderParam::AskForPrimvar(TfToken const &name) {
-    std::set<HdCCMesh *> meshes;
+    std::set<HdCCShapeSync *> shapes;
     {
         const std::lock_guard<std::mutex> lock(_mutex);
         if (std::find(_primvars.begin(), _primvars.end(), name) != _primvars.end()) {
             return;
         }
         _primvars.push_back(name);
-        meshes = _meshes;
+        shapes = _shapes;
     }
     const SyncScope scope(this);
-    for (HdCCMesh *mesh : meshes) {
-        mesh->SyncLatePrimvar(name);
+    for (HdCCShapeSync *shape : shapes) {
+        shape->SyncLatePrimvar(name);
     }
 }
 
@@ -76,18 +76,18 @@ TfTokenVector HdCCRenderParam::GetPrimvarsAskedFor() const {
 }
 
 void HdCCRenderParam::AskForMotion(HdCCShutter const &shutter) {
-    std::set<HdCCMesh *> meshes;
+    std::set<HdCCShapeSync *> shapes;
     {
         const std::lock_guard<std::mutex> lock(_mutex);
         if (!shutter.IsOpen() || _shutter.Holds(shutter)) {
             return;
         }
         _shutter.Extend(shutter);
-        meshes = _meshes;
+        shapes = _shapes;
     }
     const SyncScope scope(this);
-    for (HdCCMesh *mesh : meshes) {
-        mesh->SyncLateMotion();
+    for (HdCCShapeSync *shape : shapes) {
+        shape->SyncLateMotion();
     }
 }
 

@@ -21,7 +21,7 @@
 
 PXR_NAMESPACE_OPEN_SCOPE
 
-class HdCCMesh;
+class HdCCShapeSync;
 
 /// A picture and what it took.
 struct HdCCFrame {
@@ -61,10 +61,10 @@ class HdCCRenderParam final : public HdRenderParam {
     /// Warns that `message`, about `id`, unless the same was said before.
     void WarnOnce(SdfPath const &id, std::string const &message);
 
-    /// Meshes come and go with their prims; any thread may call.
-    void AddMesh(HdCCMesh *mesh);
-    void RemoveMesh(HdCCMesh *mesh);
-    /// Has all meshes sync a primvar from now on, those at once that have been synced already.
+    /// Shapes come and go with their prims; any thread may call.
+    void AddShape(HdCCShapeSync *shape);
+    void RemoveShape(HdCCShapeSync *shape);
+    /// Has all shapes sync a primvar from now on, those at once that have been synced already.
     /// Primvars that nobody asks for are left where they are.
     void AskForPrimvar(TfToken const &name);
     /// What AskForPrimvar was called for.
@@ -94,7 +94,7 @@ class HdCCRenderParam final : public HdRenderParam {
     std::chrono::steady_clock::time_point _syncBegin, _syncEnd;
     bool _synced = false;
     std::set<std::string> _warned;
-    std::set<HdCCMesh *> _meshes;
+    std::set<HdCCShapeSync *> _shapes;
     TfTokenVector _primvars;
     HdCCShutter _shutter;
     std::shared_ptr<const HdCCFrame> _frame;

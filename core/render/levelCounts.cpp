@@ -14,11 +14,16 @@ constexpr uint64_t kMostCounted = uint64_t(1) << 21;
 
 using AtomicCounts = std::array<std::atomic<uint64_t>, kFinestLevel + 1>;
 
+size_t PatchCount(const Instance& instance) {
+    const bool hasPatches = instance.geometry->Kind() == GeometryKind::Surface;
+    return hasPatches ? instance.geometry->PrimitiveCount() : 0;
+}
+
 /// Counts patches of an instance that are so far apart.
 void CountInstance(const Instance& instance, const LevelMetric& metric, size_t first, size_t stride,
                    AtomicCounts* counts) {
     constexpr size_t kGrainSize = 4096;
-    const size_t count = (instance.surface->Patches().Count() - first + stride - 1) / stride;
+    const size_t count = (PatchCount(instance) - first + stride - 1) / stride;
     const InstanceLevels levels(metric, instance);
     if (levels.IsUniform()) {
         (*counts)[levels.Uniform()] += count;
@@ -42,7 +47,7 @@ LevelCounts CountLevels(const std::vector<Instance>& instances, const LevelMetri
                         const std::atomic<bool>* stop) {
     std::vector<uint64_t> firsts{0};
     for (const Instance& instance : instances) {
-        firsts.push_back(firsts.back() + instance.surface->Patches().Count());
+        firsts.push_back(firsts.back() + PatchCount(instance));
     }
     const uint64_t stride = firsts.back() / kMostCounted + 1;
     AtomicCounts counts{};

@@ -62,8 +62,8 @@ TileRenderer::TileRenderer(const Scene& scene, const CameraRays& camera, const T
       _centresAreApart(isMoving || camera.HasLens()),
       _isMoving(isMoving),
       _film(film) {
-    for (const Mesh* mesh : scene.ShownMeshes()) {
-        _hasCulling = _hasCulling || mesh->CullBackFaces();
+    for (const Shape* shape : scene.ShownShapes()) {
+        _hasCulling = _hasCulling || shape->CullBackFaces();
     }
 }
 
@@ -136,7 +136,7 @@ void TileRenderer::_Intersect(RayPacket* rays, HitPacket* hits, RenderWorker* wo
 
 bool TileRenderer::_IsCulled(const RayPacket& rays, const HitPacket& hits, int lane) const {
     const uint32_t instance = hits.instance[lane];
-    return instance != kNoHit && _scene.InstanceMesh(instance).CullBackFaces() &&
+    return instance != kNoHit && _scene.InstanceShape(instance).CullBackFaces() &&
            IsHitFromBehind(_scene.Instances().Instances()[instance], rays, hits, lane, _levels);
 }
 
@@ -174,7 +174,7 @@ void TileRenderer::_PassThroughCulled(Sample* sample, RenderWorker* worker) cons
     }
 }
 
-MeshPoint TileRenderer::_PointOf(const HitPacket& hits, int lane) const {
+ShapePoint TileRenderer::_PointOf(const HitPacket& hits, int lane) const {
     return {_scene.InstanceIndex(hits.instance[lane]), hits.patch[lane], hits.u[lane],
             hits.v[lane]};
 }
@@ -182,7 +182,7 @@ MeshPoint TileRenderer::_PointOf(const HitPacket& hits, int lane) const {
 ShadingPoint TileRenderer::_Shade(const Sample& sample, int lane) const {
     const HitPacket& hits = sample.hits;
     const uint32_t instance = hits.instance[lane];
-    const Vec3f authored = _scene.InstanceMesh(instance).AuthoredNormal(_PointOf(hits, lane));
+    const Vec3f authored = _scene.InstanceShape(instance).AuthoredNormal(_PointOf(hits, lane));
     return MakeShadingPoint(_scene.Instances().Instances()[instance], authored, sample.rays, hits,
                             lane, _levels);
 }
@@ -196,7 +196,7 @@ void TileRenderer::_AddColor(const Sample& sample, float* rgba, RenderWorker* wo
         if (sample.IsHit(lane)) {
             points[count] = _Shade(sample, lane);
             points[count].albedo =
-                _scene.InstanceMesh(hits.instance[lane]).DisplayColor(_PointOf(hits, lane));
+                _scene.InstanceShape(hits.instance[lane]).DisplayColor(_PointOf(hits, lane));
             lanes[count++] = lane;
         }
     }
@@ -234,19 +234,17 @@ void TileRenderer::_WriteSurface(const Tile& tile, const Sample& sample) const {
         const size_t pixel = PixelOf(tile, lane, _film->Width());
         const bool isHit = sample.IsHit(lane);
         const float t = sample.rays.tMax[lane];
-        const Mesh* mesh = isHit ? &_scene.InstanceMesh(sample.hits.instance[lane]) : nullptr;
+        const Shape* shape = isHit ? &_scene.InstanceShape(sample.hits.instance[lane]) : nullptr;
         if (depth) depth[pixel] = isHit ? _camera.ProjectedDepth(t) : 1;
         if (cameraDepth) cameraDepth[pixel] = isHit ? t : 0;
-        if (primId) primId[pixel] = isHit ? mesh->PrimId() : -1;
+        if (primId) primId[pixel] = isHit ? shape->PrimId() : -1;
         if (instanceId) {
             instanceId[pixel] =
                 isHit ? static_cast<int32_t>(_scene.InstanceIndex(sample.hits.instance[lane])) : -1;
         }
         if (elementId) {
-            const uint32_t patch = sample.hits.patch[lane];
-            elementId[pixel] =
-                isHit ? static_cast<int32_t>(mesh->BuiltSurface()->Patches().AuthoredFace(patch))
-                      : -1;
+            const uint32_t primitive = sample.hits.patch[lane];
+            elementId[pixel] = isHit ? static_cast<int32_t>(shape->ElementOf(primitive)) : -1;
         }
         if (normal || neye) {
             const Vec3f n = isHit ? _Shade(sample, lane).shadingNormal : Vec3f{};
@@ -267,15 +265,18 @@ void TileRenderer::_WriteLevels(const Tile& tile, const Sample& sample) const {
         const size_t pixel = PixelOf(tile, lane, _film->Width());
         PatchLevels levels;
         bool isInFan = false;
-        if (sample.IsHit(lane)) {
-            const Instance& instance = _scene.Instances().Instances()[hits.instance[lane]];
+        const Instance* const hit =
+            sample.IsHit(lane) ? &_scene.Instances().Instances()[hits.instance[lane]] : nullptr;
+        const bool hasLevels = hit && hit->geometry->Kind() == GeometryKind::Surface;
+        if (hasLevels) {
+            const Instance& instance = *hit;
             levels = InstanceLevels(_levels, instance).Of(hits.patch[lane]);
-            const int depth = instance.surface->Patches().At(hits.patch[lane]).depth;
+            const int depth = SurfaceOf(instance).Patches().At(hits.patch[lane]).depth;
             isInFan = GridStitch(levels, {0, 0, 1}, 1 << (levels.Finest() - depth), false)
                           .IsInFan({hits.u[lane], hits.v[lane]});
         }
-        if (level) level[pixel] = sample.IsHit(lane) ? levels.interior : -1;
-        if (fan) fan[pixel] = sample.IsHit(lane) ? int{isInFan} : -1;
+        if (level) level[pixel] = hasLevels ? levels.interior : -1;
+        if (fan) fan[pixel] = hasLevels ? int{isInFan} : -1;
     }
 }
 
@@ -303,11 +304,12 @@ void TileRenderer::_WritePrimvar(const Tile& tile, const Sample& sample, const A
     const HitPacket& hits = sample.hits;
     for (int lane = 0; lane < sample.rays.count; ++lane) {
         const size_t pixel = PixelOf(tile, lane, _film->Width());
-        const Mesh* mesh = sample.IsHit(lane) ? &_scene.InstanceMesh(hits.instance[lane]) : nullptr;
-        const PrimvarField* primvar = mesh ? mesh->FindPrimvar(aov.primvar) : nullptr;
+        const Shape* shape =
+            sample.IsHit(lane) ? &_scene.InstanceShape(hits.instance[lane]) : nullptr;
+        const PrimvarField* primvar = shape ? shape->FindPrimvar(aov.primvar) : nullptr;
         coverage[pixel] = primvar != nullptr;
         if (primvar) {
-            const SurfaceValue value = mesh->Evaluate(*primvar, _PointOf(hits, lane));
+            const SurfaceValue value = shape->Evaluate(*primvar, _PointOf(hits, lane));
             std::copy_n(value.value, aov.arity, values + pixel * aov.arity);
         }
     }

@@ -59,8 +59,8 @@ class TileRenderer {
     void _Intersect(RayPacket* rays, HitPacket* hits, RenderWorker* worker) const;
     void _PassThroughCulled(Sample* sample, RenderWorker* worker) const;
     bool _IsCulled(const RayPacket& rays, const HitPacket& hits, int lane) const;
-    /// Where on its mesh a ray hit.
-    MeshPoint _PointOf(const HitPacket& hits, int lane) const;
+    /// Where on its shape a ray hit.
+    ShapePoint _PointOf(const HitPacket& hits, int lane) const;
     ShadingPoint _Shade(const Sample& sample, int lane) const;
     void _AddColor(const Sample& sample, float* rgba, RenderWorker* worker) const;
     void _WriteColor(const Tile& tile, const TileColors& colors, int samples) const;

@@ -14,7 +14,7 @@
 namespace cc {
 namespace {
 
-constexpr char kDisplayColor[] = "displayColor", kNormals[] = "normals";
+constexpr char kNormals[] = "normals";
 
 /// Points that a thread takes at a time.
 constexpr size_t kPointGrain = 4096;
@@ -77,9 +77,9 @@ size_t CountZeroes(const Primvar& normals) {
 
 }  // namespace
 
-Mesh::Mesh(std::string name) : _name(std::move(name)) {}
+Mesh::Mesh(std::string name) : Shape(std::move(name)) {}
 
-void Mesh::SetPrimId(int primId) { _primId = primId; }
+Mesh::~Mesh() = default;
 
 void Mesh::SetTopology(ControlMesh topology) {
     _topology = std::move(topology);
@@ -98,48 +98,9 @@ void Mesh::SetMovingPoints(Moving<std::vector<Vec3f>> points) {
     _motion = std::move(points);
 }
 
-void Mesh::SetPrimvar(const std::string& name, Primvar primvar) {
-    if (primvar.IsEmpty()) {
-        _primvars.erase(name);
-        _NotePrimvarsForShading();
-        return;
-    }
-    PrimvarSlot& slot = _primvars[name];
-    if (!slot.isChanged && !slot.field.IsEmpty() &&
-        slot.field.IsMadeOf(primvar, _surface->Patches())) {
-        return;
-    }
-    slot.waiting = std::move(primvar);
-    slot.isChanged = true;
-}
-
-void Mesh::SetTransform(const AffineTransform& objectToWorld) {
-    SetMovingTransform(Moving<AffineTransform>(objectToWorld));
-}
-
-void Mesh::SetMovingTransform(Moving<AffineTransform> objectToWorld) {
-    _placementChanged |= _placement.SetTransform(std::move(objectToWorld));
-}
-
-void Mesh::SetInstances(std::vector<AffineTransform> instanceToWorld) {
-    SetMovingInstances(Moving<std::vector<AffineTransform>>(std::move(instanceToWorld)));
-}
-
-void Mesh::SetMovingInstances(Moving<std::vector<AffineTransform>> instanceToWorld) {
-    _placement.SetInstances(std::move(instanceToWorld));
-    _placementChanged = true;
-    _TakePrimvarsBack(/* ofInstancesOnly */ true);
-}
-
-void Mesh::ClearInstances() { _placementChanged |= _placement.ClearInstances(); }
-
-void Mesh::SetVisible(bool visible) { _visible = visible; }
-
 void Mesh::SetCullBackFaces(bool cull) { _cullBackFaces = cull; }
 
-void Mesh::SetRenderTag(std::string tag) { _renderTag = std::move(tag); }
-
-Vec3f Mesh::AuthoredNormal(const MeshPoint& at) const {
+Vec3f Mesh::AuthoredNormal(const ShapePoint& at) const {
     if (!_normals) {
         return {};
     }
@@ -147,36 +108,10 @@ Vec3f Mesh::AuthoredNormal(const MeshPoint& at) const {
     return {normal.value[0], normal.value[1], normal.value[2]};
 }
 
-Vec3f Mesh::DisplayColor(const MeshPoint& at) const {
-    if (!_displayColor) {
-        return kDefaultDisplayColor;
+void Mesh::_BuildGeometry(BuildReport* report) {
+    if (!_topologyChanged && !_pointsChanged) {
+        return;
     }
-    const SurfaceValue color = Evaluate(*_displayColor, at);
-    return {color.value[0], color.value[1], color.value[2]};
-}
-
-const PrimvarField* Mesh::FindPrimvar(const std::string& name) const {
-    const auto found = _primvars.find(name);
-    return found == _primvars.end() || found->second.field.IsEmpty() ? nullptr
-                                                                     : &found->second.field;
-}
-
-Mesh::BuildReport Mesh::_Build() {
-    BuildReport report;
-    if (_topologyChanged || _pointsChanged) {
-        _BuildSurface(&report);
-    }
-    if (_surface) {
-        _BuildPrimvars(&report);
-    }
-    if (_placementChanged || report.work != SurfaceWork::None) {
-        _BuildPlacement(&report);
-    }
-    _topologyChanged = _pointsChanged = _placementChanged = false;
-    return report;
-}
-
-void Mesh::_BuildSurface(BuildReport* report) {
     report->topLevelChanged = true;
     _isSurfaceUsable = false;
     if (_topologyChanged || !_surface) {
@@ -192,33 +127,17 @@ void Mesh::_BuildSurface(BuildReport* report) {
     } else {
         _MoveSurface(report);
     }
-    if (report->work != SurfaceWork::None) {
+    if (report->work != GeometryWork::None) {
         _points = {};
         _pointsAreInSurface = true;
         _isSurfaceUsable = _surface->Patches().Count() > 0;
         _BuildMotion(report);
     }
-}
-
-void Mesh::_TakePrimvarsBack(bool ofInstancesOnly) {
-    for (auto& [name, slot] : _primvars) {
-        const bool isOfInstances = slot.field.IsEmpty()
-                                       ? slot.waiting.interpolation == Interpolation::Instance
-                                       : slot.field.IsOfInstances();
-        if (ofInstancesOnly && !isOfInstances) {
-            continue;
-        }
-        if (!slot.isChanged && !slot.field.IsEmpty()) {
-            slot.waiting = slot.field.TakePrimvar(_surface->Patches());
-        }
-        slot.field = {};
-        slot.isChanged = true;
-    }
-    _NotePrimvarsForShading();
+    _topologyChanged = _pointsChanged = false;
 }
 
 void Mesh::_NotePrimvarsForShading() {
-    _displayColor = FindPrimvar(kDisplayColor);
+    Shape::_NotePrimvarsForShading();
     _normals = _tags.scheme == Scheme::None ? FindPrimvar(kNormals) : nullptr;
 }
 
@@ -251,7 +170,7 @@ void Mesh::_RebuildSurface(BuildReport* report) {
     _faces = FaceVertices(_topology.faceVertexCounts, std::move(_topology.faceVertexIndices));
     _tags = std::exchange(_topology, {});
     _tags.faceVertexCounts = {};
-    report->work = SurfaceWork::Rebuilt;
+    report->work = GeometryWork::Rebuilt;
 }
 
 void Mesh::_MoveSurface(BuildReport* report) {
@@ -269,7 +188,7 @@ void Mesh::_MoveSurface(BuildReport* report) {
     // Points that no face uses may come and go.
     _points.resize(_surface->Patches().CagePointCount());
     _surface->SetPoints(_points);
-    report->work = SurfaceWork::Moved;
+    report->work = GeometryWork::Moved;
 }
 
 void Mesh::_BuildMotion(BuildReport* report) {
@@ -305,41 +224,34 @@ void Mesh::_Pose(float time) {
     }
 }
 
-void Mesh::_BuildPrimvars(BuildReport* report) {
-    for (auto& [name, slot] : _primvars) {
-        if (slot.isChanged) {
-            _BuildPrimvar(name, &slot, report);
-            ++report->primvarsBuilt;
-        }
-    }
-    _NotePrimvarsForShading();
+PrimvarSizes Mesh::_Sizes() const {
+    const size_t points = _surface->Patches().CagePointCount();
+    return {_faces.FaceCount(), points, points, _faces.Count(), _PlaceCount()};
 }
 
-void Mesh::_BuildPrimvar(const std::string& name, PrimvarSlot* slot, BuildReport* report) const {
-    std::string error = CheckPrimvar(
-        name, slot->waiting, {_faces, _surface->Patches().CagePointCount(), _placement.Count()});
-    const bool isColor = name == kDisplayColor;
-    const bool isNormals = name == kNormals && _tags.scheme == Scheme::None;
-    if (error.empty() && (isColor || isNormals) && slot->waiting.arity != 3) {
-        error = name + " has " + std::to_string(slot->waiting.arity) + " numbers a value, not 3";
+bool Mesh::_IsNormals(const std::string& name) const {
+    return name == kNormals && _tags.scheme == Scheme::None;
+}
+
+std::string Mesh::_CheckPrimvar(const std::string& name, const Primvar& primvar) const {
+    if (!_IsNormals(name) || primvar.arity == 3) {
+        return Shape::_CheckPrimvar(name, primvar);
     }
-    slot->isChanged = false;
-    // Kept if it does not fit, as the next topology may be the one that it belongs to.
-    slot->field = {};
-    if (!error.empty()) {
-        report->lines.push_back(error + (isColor     ? "; the mesh is shown in grey"
-                                         : isNormals ? "; facets are shown"
-                                                     : "; it is left out"));
-        return;
-    }
-    const size_t zeroes = isNormals ? CountZeroes(slot->waiting) : 0;
+    return name + " has " + std::to_string(primvar.arity) + " numbers a value, not 3";
+}
+
+std::string Mesh::_Without(const std::string& name) const {
+    return _IsNormals(name) ? "facets are shown" : Shape::_Without(name);
+}
+
+PrimvarField Mesh::_MakeField(const std::string& name, Primvar primvar, BuildReport* report) const {
+    const size_t zeroes = _IsNormals(name) ? CountZeroes(primvar) : 0;
     if (zeroes > 0) {
         report->lines.push_back(std::to_string(zeroes) +
                                 " normals have no length; facets are shown there");
     }
-    FaceVaryingChannel channel = _MakeChannel(name, slot->waiting, report);
-    slot->field =
-        PrimvarField(std::exchange(slot->waiting, {}), _surface->Patches(), std::move(channel));
+    FaceVaryingChannel channel = _MakeChannel(name, primvar, report);
+    return PrimvarField(std::move(primvar), _surface->Patches(), std::move(channel));
 }
 
 FaceVaryingChannel Mesh::_MakeChannel(const std::string& name, const Primvar& primvar,
@@ -366,25 +278,10 @@ FaceVaryingChannel Mesh::_MakeChannel(const std::string& name, const Primvar& pr
     return channel;
 }
 
-void Mesh::_BuildPlacement(BuildReport* report) {
-    report->topLevelChanged = true;
-    const Placement::Obstacles before = _obstacles;
-    _obstacles = BuiltSurface() ? _placement.FindObstacles(*_surface) : Placement::Obstacles();
-    if (_placementChanged || !(_obstacles == before)) {
-        for (std::string& line : _placement.Describe(_obstacles)) {
-            report->lines.push_back(std::move(line));
-        }
-    }
-}
-
-size_t Mesh::_Bytes() const {
-    size_t bytes = (_surface ? _surface->Bytes() : 0) + _faces.Bytes() +
-                   _points.capacity() * sizeof(Vec3f) + BytesOfTags(_tags) + _placement.Bytes();
+size_t Mesh::_OwnBytes() const {
+    size_t bytes = _faces.Bytes() + BytesOf(_points) + BytesOfTags(_tags);
     for (const std::vector<Vec3f>& pose : _motion.Poses()) {
-        bytes += pose.capacity() * sizeof(Vec3f);
-    }
-    for (const auto& [name, slot] : _primvars) {
-        bytes += slot.field.Bytes();
+        bytes += BytesOf(pose);
     }
     return bytes;
 }

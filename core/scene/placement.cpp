@@ -86,7 +86,7 @@ Box3f Placement::WorldBox(size_t index, const Box3f& box) const {
     return world;
 }
 
-Placement::Obstacle Placement::Place(const Surface& surface, size_t index, float time,
+Placement::Obstacle Placement::Place(const Geometry& geometry, size_t index, float time,
                                      Instance* instance) const {
     const AffineTransform objectToWorld = _ObjectToWorld(index, time);
     AffineTransform worldToObject;
@@ -94,18 +94,18 @@ Placement::Obstacle Placement::Place(const Surface& surface, size_t index, float
         !HasUsableEntries(worldToObject)) {
         return Obstacle::Singular;
     }
-    const Box3f bounds = objectToWorld.Box(surface.Bounds());
+    const Box3f bounds = objectToWorld.Box(geometry.Bounds());
     if (!bounds.IsEmpty() && !(IsUsable(bounds.lower) && IsUsable(bounds.upper))) {
         return Obstacle::TooLarge;
     }
-    *instance = {&surface, objectToWorld, worldToObject};
+    *instance = {&geometry, objectToWorld, worldToObject};
     return Obstacle::None;
 }
 
-Placement::Obstacle Placement::FindObstacle(const Surface& surface, size_t index) const {
+Placement::Obstacle Placement::FindObstacle(const Geometry& geometry, size_t index) const {
     for (const float time : _times) {
         Instance instance;
-        const Obstacle obstacle = Place(surface, index, time, &instance);
+        const Obstacle obstacle = Place(geometry, index, time, &instance);
         if (obstacle != Obstacle::None) {
             return obstacle;
         }
@@ -113,13 +113,13 @@ Placement::Obstacle Placement::FindObstacle(const Surface& surface, size_t index
     return Obstacle::None;
 }
 
-Placement::Obstacles Placement::FindObstacles(const Surface& surface) const {
+Placement::Obstacles Placement::FindObstacles(const Geometry& geometry) const {
     constexpr size_t kGrainSize = 1024;
     return tbb::parallel_reduce(
         tbb::blocked_range<size_t>(0, Count(), kGrainSize), Obstacles{},
         [&](const tbb::blocked_range<size_t>& part, Obstacles sum) {
             for (size_t i = part.begin(); i < part.end(); ++i) {
-                const Obstacle obstacle = FindObstacle(surface, i);
+                const Obstacle obstacle = FindObstacle(geometry, i);
                 sum.singular += obstacle == Obstacle::Singular;
                 sum.tooLarge += obstacle == Obstacle::TooLarge;
             }
@@ -130,14 +130,17 @@ Placement::Obstacles Placement::FindObstacles(const Surface& surface) const {
         });
 }
 
-std::vector<std::string> Placement::Describe(const Obstacles& obstacles) const {
+std::vector<std::string> Placement::Describe(const Obstacles& obstacles,
+                                             const std::string& is) const {
+    const std::string leftOut = "; " + is + " left out";
     std::vector<std::string> lines;
     if (obstacles.singular > 0) {
-        lines.push_back(_DescribeOne(obstacles.singular, "has a singular or non-finite transform",
+        lines.push_back(_DescribeOne(obstacles.singular,
+                                     "has a singular or non-finite transform" + leftOut,
                                      "have a singular or non-finite transform"));
     }
     if (obstacles.tooLarge > 0) {
-        lines.push_back(_DescribeOne(obstacles.tooLarge, "is too large once transformed",
+        lines.push_back(_DescribeOne(obstacles.tooLarge, "is too large once transformed" + leftOut,
                                      "are too large once transformed"));
     }
     return lines;
@@ -153,11 +156,11 @@ size_t Placement::Bytes() const {
     return bytes;
 }
 
-std::string Placement::_DescribeOne(size_t count, const char* ofMesh,
+std::string Placement::_DescribeOne(size_t count, const std::string& ofOne,
                                     const char* ofInstances) const {
     return IsInstanced() ? std::to_string(count) + " of " + std::to_string(Count()) +
                                " instances " + ofInstances + "; they are left out"
-                         : std::string(ofMesh) + "; the mesh is left out";
+                         : ofOne;
 }
 
 }  // namespace cc

@@ -16,11 +16,11 @@ struct Expectation {
 
 Expectation ExpectedElements(Interpolation interpolation, const PrimvarSizes& sizes) {
     switch (interpolation) {
-        case Interpolation::Uniform: return {sizes.faces.FaceCount(), "uniform"};
-        case Interpolation::Varying: return {sizes.pointCount, "varying"};
-        case Interpolation::Vertex: return {sizes.pointCount, "vertex"};
-        case Interpolation::FaceVarying: return {sizes.faces.Count(), "faceVarying"};
-        case Interpolation::Instance: return {sizes.instanceCount, "instance"};
+        case Interpolation::Uniform: return {sizes.uniform, "uniform"};
+        case Interpolation::Varying: return {sizes.varying, "varying"};
+        case Interpolation::Vertex: return {sizes.vertex, "vertex"};
+        case Interpolation::FaceVarying: return {sizes.faceVarying, "faceVarying"};
+        case Interpolation::Instance: return {sizes.instance, "instance"};
         case Interpolation::Constant: break;
     }
     return {1, "constant"};
@@ -93,6 +93,7 @@ class FaceCorners {
 PrimvarField::PrimvarField(Primvar primvar, const PatchTable& patches, FaceVaryingChannel channel)
     : _primvar(std::move(primvar)), _channel(std::move(channel)) {
     if (_primvar.interpolation == Interpolation::Vertex) {
+        _patches = &patches;
         _vertexValues = PatchValues(patches, _primvar.arity, Elements(_primvar));
         _primvar.values = {};
         _primvar.indices = {};
@@ -100,7 +101,7 @@ PrimvarField::PrimvarField(Primvar primvar, const PatchTable& patches, FaceVaryi
 }
 
 SurfaceValue PrimvarField::Evaluate(const PatchTable& patches, const FaceVertices& faces,
-                                    const MeshPoint& at) const {
+                                    const ShapePoint& at) const {
     const auto [instance, patch, u, v] = at;
     size_t element = 0;
     switch (_primvar.interpolation) {
@@ -117,8 +118,12 @@ SurfaceValue PrimvarField::Evaluate(const PatchTable& patches, const FaceVertice
         case Interpolation::Instance: element = instance; break;
         case Interpolation::Constant: break;
     }
+    return AtElement(element);
+}
+
+SurfaceValue PrimvarField::AtElement(size_t i) const {
     SurfaceValue result;
-    std::copy_n(_primvar.Element(element), _primvar.arity, result.value);
+    std::copy_n(_primvar.Element(i), _primvar.arity, result.value);
     return result;
 }
 
@@ -175,21 +180,21 @@ SurfaceValue PrimvarField::_EvaluateOnQuad(const FaceVertices& faces,
     return result;
 }
 
-bool PrimvarField::IsMadeOf(const Primvar& primvar, const PatchTable& patches) const {
-    if (_primvar.interpolation != Interpolation::Vertex) {
+bool PrimvarField::IsMadeOf(const Primvar& primvar) const {
+    if (!_patches) {
         return _primvar == primvar;
     }
     return primvar.interpolation == Interpolation::Vertex && primvar.arity == _primvar.arity &&
-           primvar.ElementCount() == patches.CagePointCount() &&
+           primvar.ElementCount() == _patches->CagePointCount() &&
            std::all_of(
                primvar.indices.begin(), primvar.indices.end(),
                [&](int i) { return i >= 0 && static_cast<size_t>(i) < primvar.ValueCount(); }) &&
-           Elements(primvar) == _vertexValues.CageValues(patches);
+           Elements(primvar) == _vertexValues.CageValues(*_patches);
 }
 
-Primvar PrimvarField::TakePrimvar(const PatchTable& patches) {
-    if (_primvar.interpolation == Interpolation::Vertex) {
-        _primvar.values = _vertexValues.CageValues(patches);
+Primvar PrimvarField::TakePrimvar() {
+    if (_patches) {
+        _primvar.values = _vertexValues.CageValues(*_patches);
     }
     Primvar primvar = std::move(_primvar);
     *this = PrimvarField();
@@ -201,8 +206,8 @@ size_t PrimvarField::Bytes() const {
            _vertexValues.Bytes() + _channel.Bytes();
 }
 
-std::string CheckPrimvar(const std::string& name, const Primvar& primvar,
-                         const PrimvarSizes& sizes) {
+std::string CheckPrimvarSize(const std::string& name, const Primvar& primvar,
+                             const PrimvarSizes& sizes) {
     const Expectation expected = ExpectedElements(primvar.interpolation, sizes);
     if (primvar.ElementCount() != expected.count) {
         return name + " is " + expected.interpolation + " and has " +
@@ -214,6 +219,15 @@ std::string CheckPrimvar(const std::string& name, const Primvar& primvar,
             return name + " has index " + std::to_string(index) + " and only " +
                    std::to_string(primvar.ValueCount()) + " values";
         }
+    }
+    return {};
+}
+
+std::string CheckPrimvar(const std::string& name, const Primvar& primvar,
+                         const PrimvarSizes& sizes) {
+    std::string error = CheckPrimvarSize(name, primvar, sizes);
+    if (!error.empty()) {
+        return error;
     }
     const auto isFinite = [](float number) { return std::isfinite(number); };
     if (!std::all_of(primvar.values.begin(), primvar.values.end(), isFinite)) {

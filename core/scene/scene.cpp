@@ -44,9 +44,9 @@ bool IsBefore(const Light& a, const Light& b) {
     return std::memcmp(keyA.data(), keyB.data(), sizeof(keyA)) < 0;
 }
 
-bool IsPlaced(const Placement& placement, const Surface& surface, size_t index, float time,
+bool IsPlaced(const Placement& placement, const Geometry& geometry, size_t index, float time,
               Instance* instance) {
-    return placement.Place(surface, index, time, instance) == Placement::Obstacle::None;
+    return placement.Place(geometry, index, time, instance) == Placement::Obstacle::None;
 }
 
 double SecondsSince(std::chrono::steady_clock::time_point start) {
@@ -58,15 +58,22 @@ double SecondsSince(std::chrono::steady_clock::time_point start) {
 Scene::Scene() = default;
 Scene::~Scene() = default;
 
-Mesh* Scene::AddMesh(std::string name) {
+template <class Kind>
+Kind* Scene::_AddShape(std::string name) {
+    auto shape = std::make_unique<Kind>(std::move(name));
+    Kind* const added = shape.get();
     const std::lock_guard<std::mutex> lock(_mutex);
-    _meshes.push_back(std::make_unique<Mesh>(std::move(name)));
-    return _meshes.back().get();
+    _shapes.push_back(std::move(shape));
+    return added;
 }
 
-void Scene::RemoveMesh(Mesh* mesh) {
+Mesh* Scene::AddMesh(std::string name) { return _AddShape<Mesh>(std::move(name)); }
+
+Points* Scene::AddPoints(std::string name) { return _AddShape<Points>(std::move(name)); }
+
+void Scene::RemoveShape(Shape* shape) {
     const std::lock_guard<std::mutex> lock(_mutex);
-    Remove(&_meshes, mesh);
+    Remove(&_shapes, shape);
 }
 
 Light* Scene::AddLight() {
@@ -83,86 +90,86 @@ void Scene::RemoveLight(Light* light) {
 std::vector<std::string> Scene::Build(const std::vector<std::string>& renderTags,
                                       std::optional<int> tessellationLevel) {
     const auto start = std::chrono::steady_clock::now();
-    // Threads add meshes and lights in any order; pictures and warnings must not depend on it.
-    std::stable_sort(_meshes.begin(), _meshes.end(),
+    // Threads add shapes and lights in any order; pictures and warnings must not depend on it.
+    std::stable_sort(_shapes.begin(), _shapes.end(),
                      [](const auto& a, const auto& b) { return a->Name() < b->Name(); });
     std::stable_sort(_lights.begin(), _lights.end(),
                      [](const auto& a, const auto& b) { return IsBefore(*a, *b); });
-    std::vector<Mesh*> meshes;
+    std::vector<Shape*> shapes;
     const auto isAsked = [&](const std::string& tag) {
         return renderTags.empty() ||
                std::find(renderTags.begin(), renderTags.end(), tag) != renderTags.end();
     };
-    for (const auto& mesh : _meshes) {
-        if (mesh->_visible && isAsked(mesh->_renderTag)) {
-            meshes.push_back(mesh.get());
+    for (const auto& shape : _shapes) {
+        if (shape->_visible && isAsked(shape->_renderTag)) {
+            shapes.push_back(shape.get());
         }
     }
     std::vector<std::string> lines;
-    const bool meshesChanged = _BuildMeshes(meshes, &lines);
-    _BuildTopLevel(meshes, meshesChanged);
+    const bool shapesChanged = _BuildShapes(shapes, &lines);
+    _BuildTopLevel(shapes, shapesChanged);
     SetTime(0);
     _Tessellate(tessellationLevel, &lines);
     _work.buildSeconds = SecondsSince(start);
     return lines;
 }
 
-bool Scene::_BuildMeshes(const std::vector<Mesh*>& meshes, std::vector<std::string>* lines) {
-    std::vector<Mesh::BuildReport> reports(meshes.size());
-    tbb::parallel_for(size_t(0), meshes.size(),
-                      [&](size_t i) { reports[i] = meshes[i]->_Build(); });
+bool Scene::_BuildShapes(const std::vector<Shape*>& shapes, std::vector<std::string>* lines) {
+    std::vector<Shape::BuildReport> reports(shapes.size());
+    tbb::parallel_for(size_t(0), shapes.size(),
+                      [&](size_t i) { reports[i] = shapes[i]->_Build(); });
     bool changed = false;
-    for (size_t i = 0; i < meshes.size(); ++i) {
-        const Mesh::BuildReport& report = reports[i];
+    for (size_t i = 0; i < shapes.size(); ++i) {
+        const Shape::BuildReport& report = reports[i];
         changed = changed || report.topLevelChanged;
-        _work.surfacesBuilt += report.work == Mesh::SurfaceWork::Rebuilt;
-        _work.surfacesMoved += report.work == Mesh::SurfaceWork::Moved;
+        _work.surfacesBuilt += report.work == Shape::GeometryWork::Rebuilt;
+        _work.surfacesMoved += report.work == Shape::GeometryWork::Moved;
         _work.primvarsBuilt += report.primvarsBuilt;
         for (const std::string& line : report.lines) {
-            lines->push_back("<" + meshes[i]->Name() + ">: " + line);
+            lines->push_back("<" + shapes[i]->Name() + ">: " + line);
         }
     }
     return changed;
 }
 
-void Scene::_BuildTopLevel(const std::vector<Mesh*>& meshes, bool meshesChanged) {
-    std::vector<const Mesh*> shown;
-    std::copy_if(meshes.begin(), meshes.end(), std::back_inserter(shown),
-                 [](const Mesh* mesh) { return mesh->_IsShown(); });
-    if (!meshesChanged && shown == _shown) {
+void Scene::_BuildTopLevel(const std::vector<Shape*>& shapes, bool shapesChanged) {
+    std::vector<const Shape*> shown;
+    std::copy_if(shapes.begin(), shapes.end(), std::back_inserter(shown),
+                 [](const Shape* shape) { return shape->_IsShown(); });
+    if (!shapesChanged && shown == _shown) {
         return;
     }
     _shown = std::move(shown);
     _instances = {};  // before there is another one
     _instances = InstanceBvh(_PlaceInstances(), [&](size_t i, const Box3f& box) {
-        return _shown[_origins[i].mesh]->_placement.WorldBox(_origins[i].index, box);
+        return _shown[_origins[i].shape]->_placement.WorldBox(_origins[i].index, box);
     });
     ++_work.topLevelsBuilt;
 }
 
 std::vector<Instance> Scene::_PlaceInstances() {
     std::vector<size_t> firsts{0};
-    for (const Mesh* mesh : _shown) {
-        firsts.push_back(firsts.back() + mesh->_placement.Count());
+    for (const Shape* shape : _shown) {
+        firsts.push_back(firsts.back() + shape->_placement.Count());
     }
     std::vector<Instance> instances(firsts.back());
     _origins.assign(firsts.back(), {});
     tbb::parallel_for(size_t(0), _shown.size(), [&](size_t m) {
-        const Mesh& mesh = *_shown[m];
-        tbb::parallel_for(size_t(0), mesh._placement.Count(), [&, m](size_t i) {
-            const Surface& surface = *mesh.BuiltSurface();
+        const Shape& shape = *_shown[m];
+        tbb::parallel_for(size_t(0), shape._placement.Count(), [&, m](size_t i) {
+            const Geometry& geometry = *shape.BuiltGeometry();
             const bool isLeftOut =
-                mesh._placement.IsMoving() &&
-                mesh._placement.FindObstacle(surface, i) != Placement::Obstacle::None;
+                shape._placement.IsMoving() &&
+                shape._placement.FindObstacle(geometry, i) != Placement::Obstacle::None;
             if (!isLeftOut) {
-                mesh._placement.Place(surface, i, 0, &instances[firsts[m] + i]);
+                shape._placement.Place(geometry, i, 0, &instances[firsts[m] + i]);
             }
             _origins[firsts[m] + i] = {static_cast<uint32_t>(m), static_cast<uint32_t>(i)};
         });
     });
     size_t placed = 0;
     for (size_t i = 0; i < instances.size(); ++i) {
-        if (instances[i].surface) {
+        if (instances[i].geometry) {
             instances[placed] = instances[i];
             _origins[placed++] = _origins[i];
         }
@@ -174,7 +181,7 @@ std::vector<Instance> Scene::_PlaceInstances() {
 
 bool Scene::IsMoving() const {
     return std::any_of(_shown.begin(), _shown.end(),
-                       [](const Mesh* mesh) { return mesh->_IsMoving(); });
+                       [](const Shape* shape) { return shape->_IsMoving(); });
 }
 
 void Scene::SetTime(float time) {
@@ -182,30 +189,31 @@ void Scene::SetTime(float time) {
         return;
     }
     _time = time;
-    for (const auto& mesh : _meshes) {
-        if (mesh->_IsShown()) {
-            mesh->_Pose(time);
+    for (const auto& shape : _shapes) {
+        if (shape->_IsShown()) {
+            shape->_Pose(time);
         }
     }
     tbb::parallel_for(size_t(0), _origins.size(), [&](size_t i) { _MoveInstance(i); });
 }
 
-/// Where a place has no transform between two poses, the mesh is shown as it is at time 0.
+/// Where a place has no transform between two poses, the shape is shown as it is at time 0.
 void Scene::_MoveInstance(size_t instance) {
     const Origin origin = _origins[instance];
-    const Placement& placement = _shown[origin.mesh]->_placement;
+    const Shape& shape = *_shown[origin.shape];
+    const Placement& placement = shape._placement;
+    const Geometry& geometry = *shape.BuiltGeometry();
     Instance moved;
-    const Surface& surface = *_shown[origin.mesh]->BuiltSurface();
-    if (placement.IsMoving() && (IsPlaced(placement, surface, origin.index, _time, &moved) ||
-                                 IsPlaced(placement, surface, origin.index, 0, &moved))) {
+    if (placement.IsMoving() && (IsPlaced(placement, geometry, origin.index, _time, &moved) ||
+                                 IsPlaced(placement, geometry, origin.index, 0, &moved))) {
         _instances.Move(instance, moved.objectToWorld, moved.worldToObject);
     }
 }
 
 int Scene::PrimvarArity(const std::string& name) const {
     int arity = 0;
-    for (const Mesh* mesh : _shown) {
-        const PrimvarField* primvar = mesh->FindPrimvar(name);
+    for (const Shape* shape : _shown) {
+        const PrimvarField* primvar = shape->FindPrimvar(name);
         arity = primvar ? std::max(arity, primvar->Arity()) : arity;
     }
     return arity;
@@ -214,15 +222,20 @@ int Scene::PrimvarArity(const std::string& name) const {
 /// Tessellates the surfaces that are shown, if a level is given, and drops all other tessellations.
 void Scene::_Tessellate(std::optional<int> level, std::vector<std::string>* lines) {
     const bool isOtherLevel = std::exchange(_tessellationLevel, level) != level;
-    const std::unordered_set<const Mesh*> shown(_shown.begin(), _shown.end());
+    const std::unordered_set<const Shape*> shown(_shown.begin(), _shown.end());
     std::vector<Surface*> surfaces;
-    for (const auto& mesh : _meshes) {
-        const bool isShown = level && shown.count(mesh.get()) != 0;
-        if (isShown) {
-            surfaces.push_back(mesh->_surface.get());
+    for (const auto& shape : _shapes) {
+        Geometry* const geometry = shape->_Geometry();
+        if (!geometry || geometry->Kind() != GeometryKind::Surface) {
+            continue;
         }
-        if (mesh->_surface && (!isShown || isOtherLevel)) {
-            mesh->_surface->DropTessellation();
+        auto* const surface = static_cast<Surface*>(geometry);
+        const bool isShown = level && shown.count(shape.get()) != 0;
+        if (isShown) {
+            surfaces.push_back(surface);
+        }
+        if (!isShown || isOtherLevel) {
+            surface->DropTessellation();
         }
     }
     const std::string obstacle = level ? WhyNotTessellate(surfaces, *level) : std::string();
@@ -243,16 +256,20 @@ void Scene::_Tessellate(std::optional<int> level, std::vector<std::string>* line
 
 Scene::Statistics Scene::GetStatistics() const {
     Statistics statistics = _work;
-    for (const Mesh* mesh : _shown) {
-        statistics.faces += mesh->_faces.FaceCount();
-        statistics.patches += mesh->BuiltSurface()->Patches().Count();
-        statistics.bytes += mesh->_Bytes();
-        statistics.tessellationBytes += mesh->BuiltSurface()->TessellationBytes();
+    for (const Shape* shape : _shown) {
+        statistics.faces += shape->_FaceCount();
+        statistics.bytes += shape->_Bytes();
+        const Geometry& geometry = *shape->BuiltGeometry();
+        if (geometry.Kind() == GeometryKind::Surface) {
+            statistics.patches += geometry.PrimitiveCount();
+            statistics.tessellationBytes +=
+                static_cast<const Surface&>(geometry).TessellationBytes();
+        }
     }
     statistics.bytes += LimitGridPlans::SharedBytes();
     statistics.instances = _instances.Instances().size();
     statistics.bytes += _instances.Instances().capacity() * sizeof(Instance) + _instances.Bytes() +
-                        _shown.capacity() * sizeof(const Mesh*) +
+                        _shown.capacity() * sizeof(const Shape*) +
                         _origins.capacity() * sizeof(Origin);
     return statistics;
 }

@@ -8,11 +8,12 @@
 
 #include "core/scene/light.h"
 #include "core/scene/mesh.h"
+#include "core/scene/points.h"
 #include "core/trace/instance.h"
 
 namespace cc {
 
-/// Everything a picture shows but the camera, at one time after the other if it moves. Meshes and
+/// Everything a picture shows but the camera, at one time after the other if it moves. Shapes and
 /// lights may be added, set and removed from any thread between two calls of Build; during Build
 /// and rendering the scene must rest.
 class Scene {
@@ -22,17 +23,18 @@ class Scene {
 
     /// The scene owns what it returns.
     Mesh* AddMesh(std::string name);
-    void RemoveMesh(Mesh* mesh);
+    Points* AddPoints(std::string name);
+    void RemoveShape(Shape* shape);
     Light* AddLight();
     void RemoveLight(Light* light);
 
-    /// Brings surfaces and the top level up to date, in parallel, doing only what changes ask for:
-    /// topology rebuilds one mesh, points only its bounds, a transform only the top level.
-    /// @param renderTags         meshes with another tag are left out; without any, none is
+    /// Brings geometries and the top level up to date, in parallel, doing only what changes ask
+    /// for: topology rebuilds one shape, points only its bounds, a transform only the top level.
+    /// @param renderTags         shapes with another tag are left out; without any, none is
     /// @param tessellationLevel  for TracerKind::Tessellated: what is shown is tessellated at this
     ///                           level, 0..8, unless memory does not hold that; without one the
     ///                           memory of tessellations is given back
-    /// Returns one line for each thing that was wrong, beginning with `<name>: ` of the mesh. A
+    /// Returns one line for each thing that was wrong, beginning with `<name>: ` of the shape. A
     /// line is returned once, not at every Build.
     std::vector<std::string> Build(const std::vector<std::string>& renderTags,
                                    std::optional<int> tessellationLevel = std::nullopt);
@@ -48,45 +50,50 @@ class Scene {
     const InstanceBvh& Instances() const { return _instances; }
     /// False if the last Build did not tessellate, because memory does not hold what that takes.
     bool TessellationFits() const { return _tessellationFits; }
-    /// The meshes that are seen.
-    const std::vector<const Mesh*>& ShownMeshes() const { return _shown; }
-    /// The mesh of an instance, by the index that hits carry.
-    const Mesh& InstanceMesh(uint32_t instance) const { return *_shown[_origins[instance].mesh]; }
-    /// Which of its mesh's instances it is; 0 if the mesh is not instanced.
+    /// The shapes that are seen.
+    const std::vector<const Shape*>& ShownShapes() const { return _shown; }
+    /// The shape of an instance, by the index that hits carry.
+    const Shape& InstanceShape(uint32_t instance) const {
+        return *_shown[_origins[instance].shape];
+    }
+    /// Which of its shape's instances it is; 0 if the shape is not instanced.
     uint32_t InstanceIndex(uint32_t instance) const { return _origins[instance].index; }
     const std::vector<std::unique_ptr<Light>>& Lights() const { return _lights; }
 
-    /// Most numbers a value that a primvar has on any mesh that is shown; 0 if none has it.
+    /// Most numbers a value that a primvar has on any shape that is shown; 0 if none has it.
     int PrimvarArity(const std::string& name) const;
 
-    /// Authored faces, patches and bytes of structures of all that is built, each mesh counted once
-    /// however many its instances, and limit grid plans of the process among them.
+    /// Authored faces, patches and bytes of structures of all that is built, each shape counted
+    /// once however many its instances, and limit grid plans of the process among them.
     struct Statistics {
         size_t faces = 0, patches = 0, instances = 0, bytes = 0;
         size_t tessellationBytes = 0;  ///< of bytes: those of tessellations
         double buildSeconds = 0;       ///< of the last Build
-        /// What all calls of Build did: surfaces made, surfaces whose points moved, top levels
+        /// What all calls of Build did: geometries made, those whose points moved, top levels
         /// and primvars.
         size_t surfacesBuilt = 0, surfacesMoved = 0, topLevelsBuilt = 0, primvarsBuilt = 0;
     };
     Statistics GetStatistics() const;
 
   private:
-    bool _BuildMeshes(const std::vector<Mesh*>& meshes, std::vector<std::string>* lines);
-    void _BuildTopLevel(const std::vector<Mesh*>& meshes, bool meshesChanged);
+    bool _BuildShapes(const std::vector<Shape*>& shapes, std::vector<std::string>* lines);
+    void _BuildTopLevel(const std::vector<Shape*>& shapes, bool shapesChanged);
     /// Instances of what is shown, and their origins.
     std::vector<Instance> _PlaceInstances();
     void _MoveInstance(size_t instance);
     void _Tessellate(std::optional<int> level, std::vector<std::string>* lines);
 
+    template <class Kind>
+    Kind* _AddShape(std::string name);
+
     std::mutex _mutex;
-    std::vector<std::unique_ptr<Mesh>> _meshes;
+    std::vector<std::unique_ptr<Shape>> _shapes;
     std::vector<std::unique_ptr<Light>> _lights;
-    std::vector<const Mesh*> _shown;
+    std::vector<const Shape*> _shown;
     InstanceBvh _instances;
     /// What an instance is of.
     struct Origin {
-        uint32_t mesh;   ///< in _shown
+        uint32_t shape;  ///< in _shown
         uint32_t index;  ///< among the instances of that
     };
     std::vector<Origin> _origins;

@@ -6,6 +6,7 @@
 #include <hwy/highway.h>
 
 #include "core/trace/algorithm1-inl.h"
+#include "core/trace/geometryTracing-inl.h"
 #include "core/trace/instanceTraversal-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -19,11 +20,15 @@ void TraceAlgorithm1(const InstanceBvh& instances, int level, ObjectRays* worldR
     TraceParts<ChildOrder::NearestFirst, TupleRays>(
         instances, world, worldRays, statistics,
         [&](uint32_t instance, TupleRays* rays, const TraversalStart& start) {
-            const Surface& surface = *instances.Instances()[instance].surface;
+            if (instances.Instances()[instance].geometry->Kind() != GeometryKind::Surface) {
+                return TraceGeometry<PacketRays, kAnyHit>(instances.Instances()[instance], instance,
+                                                          start, rays, hits, statistics);
+            }
+            const Surface& surface = SurfaceOf(instances.Instances()[instance]);
             Algorithm1<kVectors, kAnyHit> algorithm(surface, instance, level, rays, hits, texture,
                                                     statistics);
             TraverseBvh<ChildOrder::NearestFirst>(
-                surface.PatchBvh(), start, rays, statistics,
+                surface.PrimitiveBvh(), start, rays, statistics,
                 [&](uint32_t patch, uint64_t hitting, const Box3f&) {
                     algorithm.Intersect(patch, FirstOf(hitting));
                     return !algorithm.IsDone();

@@ -6,7 +6,7 @@
 namespace cc {
 
 DistanceLevels::DistanceLevels(const DistanceMetric& metric, const Instance& instance)
-    : _surface(*instance.surface),
+    : _surface(SurfaceOf(instance)),
       _space(instance, metric.eye),
       _reach(metric.reach),
       _coarse(std::max(metric.finest - 2, _surface.Patches().MaxDepth())),

@@ -24,7 +24,7 @@ class PartOpener {
     PartOpener(const std::vector<Instance>& instances, const InstanceBvh::WorldBox& worldBox)
         : _instances(instances), _worldBox(worldBox) {
         for (uint32_t i = 0; i < instances.size(); ++i) {
-            const Bvh& bvh = instances[i].surface->PatchBvh();
+            const Bvh& bvh = instances[i].geometry->PrimitiveBvh();
             if (!bvh.IsEmpty()) {
                 _Add({i, 0, InstancePart::kWhole}, bvh.Bounds());
             }
@@ -63,7 +63,7 @@ class PartOpener {
     };
 
     const std::vector<BvhNode>& _Nodes(const InstancePart& part) const {
-        return _instances[part.instance].surface->PatchBvh().Nodes();
+        return _instances[part.instance].geometry->PrimitiveBvh().Nodes();
     }
     uint32_t _Child(const InstancePart& part) const {
         return part.slot == InstancePart::kWhole ? part.node
@@ -113,7 +113,7 @@ void InstanceBvh::_Build(const WorldBox& worldBox) {
     tbb::parallel_for(size_t(0), _instances.size(), [&](size_t i) {
         Instance& instance = _instances[i];
         instance.isInPlace = instance.objectToWorld == AffineTransform();
-        boxes[i] = worldBox(i, instance.surface->Bounds());
+        boxes[i] = worldBox(i, instance.geometry->Bounds());
     });
     _bvh = Bvh(boxes);
 

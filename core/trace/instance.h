@@ -11,19 +11,24 @@
 
 namespace cc {
 
-/// A surface placed in the world.
+/// A geometry placed in the world.
 struct Instance {
-    const Surface* surface = nullptr;
+    const Geometry* geometry = nullptr;
     AffineTransform objectToWorld;
     AffineTransform worldToObject;
-    /// True if the surface's own space is the world: rays need no transform. Set by InstanceBvh.
+    /// True if the geometry's own space is the world: rays need no transform. Set by InstanceBvh.
     bool isInPlace = false;
 };
 
-/// What lies below a node, or below one child of it, of the hierarchy of an instance's surface.
+/// The geometry of an instance that is known to have a surface.
+inline const Surface& SurfaceOf(const Instance& instance) {
+    return static_cast<const Surface&>(*instance.geometry);
+}
+
+/// What lies below a node, or below one child of it, of the hierarchy of an instance's geometry.
 struct InstancePart {
     uint32_t instance;
-    uint32_t node;  ///< of the surface's PatchBvh
+    uint32_t node;  ///< of the geometry's PrimitiveBvh
     int slot;       ///< of the child, or kWhole
 
     static constexpr int kWhole = -1;
@@ -54,7 +59,7 @@ class InstanceBvh {
     const std::vector<Instance>& Instances() const { return _instances; }
     /// Its primitives are instances.
     const Bvh& TopLevel() const { return _bvh; }
-    /// Each patch of each instance is in one of them.
+    /// Each primitive of each instance is in one of them.
     const std::vector<InstancePart>& Parts() const { return _parts; }
     /// Its primitives are parts.
     const Bvh& PartBvh() const { return _partBvh; }

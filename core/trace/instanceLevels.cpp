@@ -6,7 +6,7 @@ namespace cc {
 
 InstanceLevels::Levels InstanceLevels::_Make(const LevelMetric& metric, const Instance& instance,
                                              bool isRemote) {
-    const PatchTable& patches = instance.surface->Patches();
+    const PatchTable& patches = SurfaceOf(instance).Patches();
     const auto adapt = [&](const auto& levels) -> Levels {
         if (patches.Count() == 0 || patches.IsCutAlike()) {
             return UniformMetric{levels.Whole()};

@@ -76,7 +76,7 @@ HWY_INLINE void TraceInstances(const InstanceBvh& instances, const RayPacket& wo
 
 /// Traces rays through the parts of all instances.
 /// @param trace  called with an instance's index, the rays in its space, and the start of their way
-///               through its surface's PatchBvh; returns false if every ray is done
+///               through its geometry's PrimitiveBvh; returns false if every ray is done
 template <ChildOrder kOrder, class Rays, class Trace>
 HWY_INLINE void TraceParts(const InstanceBvh& instances, const RayPacket& world,
                            ObjectRays* worldRays, TraceStatistics* statistics, const Trace& trace) {
@@ -85,7 +85,7 @@ HWY_INLINE void TraceParts(const InstanceBvh& instances, const RayPacket& world,
                         [&](uint32_t index, uint64_t hitting, const Box3f&) {
                             const InstancePart& part = instances.Parts()[index];
                             const Instance& instance = instances.Instances()[part.instance];
-                            const auto& nodes = instance.surface->PatchBvh().Nodes();
+                            const auto& nodes = instance.geometry->PrimitiveBvh().Nodes();
                             return rays.In(instance, [&](Rays* local) {
                                 TraversalStart start{part.node, AllRays(local->rays), {}};
                                 if (part.slot != InstancePart::kWhole) {

@@ -91,9 +91,9 @@ class PatchIntersector {
     /// @param grids   null if nothing is shared
     PatchIntersector(const Instance& instance, uint32_t number, const LevelMetric& levels,
                      Rays* rays, HitPacket* hits, SharedGrids* grids, TraceStatistics* statistics)
-        : _surface(*instance.surface),
+        : _surface(SurfaceOf(instance)),
           _instance(number),
-          _isRemote(levels.HasRemote() && IsRemote(*instance.surface, rays->rays)),
+          _isRemote(levels.HasRemote() && IsRemote(SurfaceOf(instance), rays->rays)),
           _levels(levels, instance, _isRemote),
           _rays(*rays),
           _hits(hits),

@@ -25,7 +25,7 @@ int CeilOfLogarithm4(float x) {
 }  // namespace
 
 PixelErrorLevels::PixelErrorLevels(const PixelErrorMetric& metric, const Instance& instance)
-    : _surface(*instance.surface),
+    : _surface(SurfaceOf(instance)),
       _view(metric.view),
       _space(instance, metric.view.eye),
       _scale(_space.Stretch() * metric.view.pixels / metric.pixelError),

@@ -7,7 +7,7 @@ namespace cc {
 /// Rays in a packet: the size that the paper found best (section 3.4).
 constexpr int kPacketSize = 64;
 
-/// No patch, no instance: the ray missed.
+/// No primitive, no instance: the ray missed.
 constexpr uint32_t kNoHit = 0xffffffffu;
 
 /// Up to 64 rays, one array a component. Rays need not be normalized: distances t are in units of
@@ -24,8 +24,8 @@ struct alignas(64) RayPacket {
 /// The nearest hit of each ray of a packet. The distance is the ray's tMax.
 struct alignas(64) HitPacket {
     uint32_t instance[kPacketSize];        ///< kNoHit if the ray missed
-    uint32_t patch[kPacketSize];           ///< of that instance's surface
-    float u[kPacketSize], v[kPacketSize];  ///< in the patch, 0..1
+    uint32_t patch[kPacketSize];           ///< or another primitive of that instance's geometry
+    float u[kPacketSize], v[kPacketSize];  ///< in the primitive, 0..1
 };
 
 }  // namespace cc

@@ -7,7 +7,10 @@
 #include <tbb/task_arena.h>
 
 #include "core/bvh/lookAheadBounds.h"
+#include "core/subdiv/limitPoint.h"
 #include "core/subdiv/patchBuilder.h"
+#include "core/trace/instanceLevels.h"
+#include "core/trace/surfaceSide.h"
 
 namespace cc {
 
@@ -53,7 +56,8 @@ void ExtendBoxes(const std::vector<Box3f>& others, std::vector<Box3f>* boxes) {
 
 }  // namespace
 
-Surface::Surface(const ControlMesh& mesh, const std::vector<Vec3f>& points) {
+Surface::Surface(const ControlMesh& mesh, const std::vector<Vec3f>& points)
+    : Geometry(GeometryKind::Surface) {
     _patches = BuildPatchTable(mesh, points.size(), &_error);
     _plans = LimitGridPlans(_patches);
     SetPoints(points);
@@ -95,6 +99,16 @@ void Surface::Pose(const std::vector<Vec3f>& points) {
     DropTessellation();
     _patchPoints = _patches.PatchPoints(points);
     SnapToLattice(&_patchPoints);
+}
+
+GeometryPoint Surface::PointAt(const GeometryHit& hit, const Instance& instance,
+                               const LevelMetric& levels) const {
+    const LimitPoint limit =
+        EvaluateLimit(_patches, hit.primitive, _patchPoints.data(), hit.u, hit.v);
+    const LimitPoint onFace = ByFaceParameter(_patches, hit.primitive, limit);
+    const PatchLevels traced = InstanceLevels(levels, instance).Of(hit.primitive);
+    return {limit.position, limit.normal, onFace.du, onFace.dv,
+            IsInnerSide(*this, hit, limit, traced)};
 }
 
 const Tessellation& Surface::TessellationAt(int level) const {

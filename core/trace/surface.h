@@ -7,18 +7,18 @@
 #include <string>
 #include <vector>
 
-#include "core/bvh/bvh.h"
-#include "core/math/box.h"
 #include "core/subdiv/controlMesh.h"
 #include "core/subdiv/limitGridPlan.h"
 #include "core/subdiv/patchTable.h"
 #include "core/trace/chordErrors.h"
+#include "core/trace/geometry.h"
 #include "core/trace/tessellation.h"
 
 namespace cc {
 
-/// A mesh that rays can hit: its patches and the BVH over them, in the mesh's own space.
-class Surface {
+/// A mesh that rays can hit: its patches are the primitives. It lies in the mesh's own
+/// space.
+class Surface final : public Geometry {
   public:
     /// Converts a validated control mesh and its points. A mesh without any visible face, or with
     /// topology that cannot be used, gives a surface without patches, which no ray hits.
@@ -43,9 +43,11 @@ class Surface {
     /// The control points of the patches: cage points first, then those that refinement added.
     const std::vector<Vec3f>& PatchPoints() const { return _patchPoints; }
     const ChordErrors& Errors() const { return _errors; }
-    const Bvh& PatchBvh() const { return _bvh; }
-    /// Bounds of the limit surface in object space.
-    const Box3f& Bounds() const { return _bvh.Bounds(); }
+
+    size_t PrimitiveCount() const override { return _patches.Count(); }
+    /// Derivatives are those by the parameters of the authored face (FaceParameter).
+    GeometryPoint PointAt(const GeometryHit& hit, const Instance& instance,
+                          const LevelMetric& levels) const override;
 
     /// The patches evaluated ahead of time, for the tracer that asks for it. Made by the first call
     /// that does, and kept until the points move, another level is asked for or it is dropped. Many
@@ -55,7 +57,7 @@ class Surface {
     void DropTessellation();
 
     /// Memory held, in bytes, the tessellation's included.
-    size_t Bytes() const;
+    size_t Bytes() const override;
     size_t TessellationBytes() const;
 
   private:
@@ -64,7 +66,6 @@ class Surface {
     LimitGridPlans _plans;
     std::vector<Vec3f> _patchPoints;
     ChordErrors _errors;
-    Bvh _bvh;
 
     mutable std::mutex _tessellationMutex;
     mutable std::unique_ptr<const Tessellation> _ownedTessellation;

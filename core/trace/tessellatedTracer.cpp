@@ -7,6 +7,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "core/trace/geometryTracing-inl.h"
 #include "core/trace/instanceTraversal-inl.h"
 #include "core/trace/packetTriangles-inl.h"
 #include "core/trace/patchRays-inl.h"
@@ -111,7 +112,12 @@ void TraceTessellations(const InstanceBvh& instances, int level, ObjectRays* wor
                         const RayPacket& world, HitPacket* hits, TraceStatistics* statistics) {
     TraceInstances<PacketRays>(
         instances, world, worldRays, statistics, [&](uint32_t instance, PacketRays* rays) {
-            const Surface& surface = *instances.Instances()[instance].surface;
+            if (instances.Instances()[instance].geometry->Kind() != GeometryKind::Surface) {
+                const TraversalStart whole{0, AllRays(rays->rays), {}};
+                return TraceGeometry<PacketRays, kAnyHit>(instances.Instances()[instance], instance,
+                                                          whole, rays, hits, statistics);
+            }
+            const Surface& surface = SurfaceOf(instances.Instances()[instance]);
             const Tessellation& tessellation = surface.TessellationAt(level);
             BlockIntersector<kAnyHit> intersector(tessellation, instance, rays, hits, statistics);
             TraverseBvh(tessellation.BlockBvh(), rays, statistics,

@@ -6,6 +6,7 @@
 #include <hwy/highway.h>
 
 #include "core/trace/algorithm1Tracer.h"
+#include "core/trace/geometryTracing-inl.h"
 #include "core/trace/instanceTraversal-inl.h"
 #include "core/trace/packetKernels.h"
 #include "core/trace/patchIntersector-inl.h"
@@ -24,11 +25,15 @@ void TracePatches(const InstanceBvh& instances, const LevelMetric& levels, const
     TraceParts<kOrder, Rays>(
         instances, world, worldRays, statistics,
         [&](uint32_t instance, Rays* rays, const TraversalStart& start) {
-            const Surface& surface = *instances.Instances()[instance].surface;
+            if (instances.Instances()[instance].geometry->Kind() != GeometryKind::Surface) {
+                return TraceGeometry<Rays, kAnyHit>(instances.Instances()[instance], instance,
+                                                    start, rays, hits, statistics);
+            }
+            const Surface& surface = SurfaceOf(instances.Instances()[instance]);
             PatchIntersector<Rays, kAnyHit> intersector(instances.Instances()[instance], instance,
                                                         levels, rays, hits, grids, statistics);
             TraverseBvh<kOrder>(
-                surface.PatchBvh(), start, rays, statistics,
+                surface.PrimitiveBvh(), start, rays, statistics,
                 [&](uint32_t patch, uint64_t hitting, const Box3f& box) {
                     intersector.Intersect(patch, hitting, box);
                     return !intersector.IsDone();

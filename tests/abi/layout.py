@@ -18,6 +18,7 @@ HEIRS = {
     "HdLight": "HdStLight",
     "HdMaterial": "HdStMaterial",
     "HdMesh": "HdStMesh",
+    "HdPoints": "HdStPoints",
     "HdRenderBuffer": "HdStRenderBuffer",
     "HdRenderDelegate": "HdStRenderDelegate",
     "HdRenderPass": "HdSt_RenderPass",

@@ -169,9 +169,9 @@ class Bench {
         const cc::Scene::Statistics statistics = _built->Scene().GetStatistics();
         size_t patches = 0, points = 0, bvh = _built->Scene().Instances().Bytes();
         for (const cc::Instance& instance : _built->Scene().Instances().Instances()) {
-            patches += instance.surface->Patches().Bytes();
-            points += instance.surface->PatchPoints().capacity() * sizeof(cc::Vec3f);
-            bvh += instance.surface->PatchBvh().Bytes();
+            patches += cc::SurfaceOf(instance).Patches().Bytes();
+            points += cc::SurfaceOf(instance).PatchPoints().capacity() * sizeof(cc::Vec3f);
+            bvh += instance.geometry->PrimitiveBvh().Bytes();
         }
         return Answer()
             .Count("faces", statistics.faces)

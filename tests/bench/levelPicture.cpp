@@ -16,14 +16,15 @@ namespace {
 
 std::array<float, 3> Show(const cc::Instance& instance, const cc::LevelMetric& metric,
                           const cc::RayPacket& ray, const cc::HitPacket& hit) {
-    const cc::PatchTable& patches = instance.surface->Patches();
+    const cc::PatchTable& patches = cc::SurfaceOf(instance).Patches();
     const uint32_t patch = hit.patch[0];
     const cc::PatchLevels levels = cc::InstanceLevels(metric, instance).Of(patch);
     const int side = 1 << (levels.Finest() - patches.At(patch).depth);
     const bool isInFan =
         cc::GridStitch(levels, {0, 0, 1}, side, false).IsInFan({hit.u[0], hit.v[0]});
     const cc::Vec3f normal =
-        EvaluateLimit(patches, patch, instance.surface->PatchPoints().data(), hit.u[0], hit.v[0])
+        EvaluateLimit(patches, patch, cc::SurfaceOf(instance).PatchPoints().data(), hit.u[0],
+                      hit.v[0])
             .normal;
     const cc::Vec3f direction{ray.directionX[0], ray.directionY[0], ray.directionZ[0]};
     const float facing = std::abs(

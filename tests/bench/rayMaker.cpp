@@ -47,7 +47,7 @@ struct HitPoint {
 HitPoint PointOfHit(const cc::Scene& scene, const Ray& ray, float t, const cc::HitPacket& hits,
                     size_t lane) {
     const cc::Instance& instance = scene.Instances().Instances()[hits.instance[lane]];
-    const cc::Surface& surface = *instance.surface;
+    const cc::Surface& surface = cc::SurfaceOf(instance);
     const cc::LimitPoint limit =
         EvaluateLimit(surface.Patches(), hits.patch[lane], surface.PatchPoints().data(),
                       hits.u[lane], hits.v[lane]);

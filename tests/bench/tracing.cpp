@@ -65,7 +65,7 @@ class Worker {
         for (int i = 0; i < count; ++i) {
             if (hits.instance[i] != cc::kNoHit) {
                 const cc::Surface& surface =
-                    *_scene.Instances().Instances()[hits.instance[i]].surface;
+                    cc::SurfaceOf(_scene.Instances().Instances()[hits.instance[i]]);
                 _sink += EvaluateLimitValue(surface.Patches(), hits.patch[i],
                                             surface.PatchPoints().data(), hits.u[i], hits.v[i]);
             }
@@ -91,8 +91,8 @@ float HeadLit(const cc::Scene& scene, const cc::RayPacket& rays, const cc::HitPa
     }
     const cc::Instance& instance = scene.Instances().Instances()[hits.instance[i]];
     const cc::LimitPoint limit =
-        EvaluateLimit(instance.surface->Patches(), hits.patch[i],
-                      instance.surface->PatchPoints().data(), hits.u[i], hits.v[i]);
+        EvaluateLimit(cc::SurfaceOf(instance).Patches(), hits.patch[i],
+                      cc::SurfaceOf(instance).PatchPoints().data(), hits.u[i], hits.v[i]);
     const cc::Vec3f direction{rays.directionX[i], rays.directionY[i], rays.directionZ[i]};
     const cc::Vec3f normal = Normalize(instance.worldToObject.NormalByInverse(limit.normal));
     return std::abs(Dot(normal, Normalize(direction)));
@@ -105,9 +105,9 @@ float ErrorByDepth(const cc::Scene& scene, const cc::RayPacket& rays, const cc::
         return 0;
     }
     const cc::Instance& instance = scene.Instances().Instances()[hits.instance[i]];
-    const cc::LimitPoint limit =
-        EvaluateLimit(instance.surface->Patches(), hits.patch[i],
-                      instance.surface->PatchPoints().data(), hits.u[i], hits.v[i]);
+    const cc::Surface& surface = cc::SurfaceOf(instance);
+    const cc::LimitPoint limit = cc::EvaluateLimit(
+        surface.Patches(), hits.patch[i], surface.PatchPoints().data(), hits.u[i], hits.v[i]);
     const float t = rays.tMax[i];
     const cc::Vec3f hit{rays.originX[i] + t * rays.directionX[i],
                         rays.originY[i] + t * rays.directionY[i],

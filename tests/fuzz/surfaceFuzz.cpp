@@ -131,7 +131,7 @@ void Require(bool condition) {
 void RequireHit(const cc::InstanceBvh& instances, const cc::RayPacket& nearest,
                 const cc::HitPacket& hits, int i) {
     Require(hits.instance[i] < instances.Instances().size());
-    const cc::Surface& surface = *instances.Instances()[hits.instance[i]].surface;
+    const cc::Surface& surface = cc::SurfaceOf(instances.Instances()[hits.instance[i]]);
     Require(hits.patch[i] < surface.Patches().Count());
     Require(hits.u[i] >= 0 && hits.u[i] <= 1 && hits.v[i] >= 0 && hits.v[i] <= 1);
     Require(!surface.Patches().IsTriangle(hits.patch[i]) || hits.u[i] + hits.v[i] <= 1);

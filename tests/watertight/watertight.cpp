@@ -37,7 +37,7 @@ class PlacedCage {
             p = Place(p);
         }
         _surface = std::make_unique<Surface>(cage.mesh, points);
-        instance.surface = _surface.get();
+        instance.geometry = _surface.get();
         _world = InstanceBvh({instance});
         const Box3f bounds = _world.Bounds();
         for (int axis = 0; axis < 3; ++axis) {
@@ -312,7 +312,7 @@ void Add(const WatertightCount& from, WatertightCount* to) {
 std::vector<Vec3f> PointsInside(const Cage& cage, std::mt19937* random) {
     const Surface surface(cage.mesh, cage.points);
     Instance instance;
-    instance.surface = &surface;
+    instance.geometry = &surface;
     return EnclosedPoints(surface, InstanceLevels(kInsideLevel, instance), 3, random);
 }
 

@@ -212,7 +212,7 @@ TEST(ShadingPoint, TrianglesUpToTheLongEdgeOfAPatchTellTheSide) {
     AddCage(&scene, "/closed", LoopIcosahedron());
     scene.Build({"geometry"});
     const Instance& instance = scene.Instances().Instances()[0];
-    const Surface& surface = *instance.surface;
+    const Surface& surface = SurfaceOf(instance);
     constexpr int kLevel = 4, kSegments = 1 << kLevel;
     for (uint32_t patch = 0; patch < surface.Patches().Count(); ++patch) {
         for (int i = 0; i <= kSegments; ++i) {

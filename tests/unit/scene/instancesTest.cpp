@@ -84,7 +84,7 @@ TEST(Instances, AreHitAsCopiesOfTheMeshAre) {
                     continue;
                 }
                 ASSERT_EQ(b.tMax[lane], a.tMax[lane]);
-                ASSERT_EQ(&instances.InstanceMesh(hits.instance[lane]), prototype);
+                ASSERT_EQ(&instances.InstanceShape(hits.instance[lane]), prototype);
                 ASSERT_EQ(instances.InstanceIndex(hits.instance[lane]),
                           hitsOfCopies.instance[lane]);
                 ASSERT_EQ(copies.InstanceIndex(hitsOfCopies.instance[lane]), 0u);

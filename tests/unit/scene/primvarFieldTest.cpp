@@ -261,11 +261,11 @@ TEST(PrimvarField, GivesThePrimvarBack) {
             const Primvar primvar = RandomPrimvar(cage, interpolation, arity, false);
             const Built built(cage, primvar);
             PrimvarField field = *built.field;
-            EXPECT_TRUE(field.IsMadeOf(primvar, built.Patches()));
+            EXPECT_TRUE(field.IsMadeOf(primvar));
             Primvar other = primvar;
             other.values.back() += 1;
-            EXPECT_FALSE(field.IsMadeOf(other, built.Patches()));
-            EXPECT_EQ(field.TakePrimvar(built.Patches()), primvar);
+            EXPECT_FALSE(field.IsMadeOf(other));
+            EXPECT_EQ(field.TakePrimvar(), primvar);
             EXPECT_TRUE(field.IsEmpty());
         }
     }
@@ -273,7 +273,9 @@ TEST(PrimvarField, GivesThePrimvarBack) {
 
 TEST(CheckPrimvar, FindsWrongElementCounts) {
     const Cage cage = Drum(5);
-    const FaceVertices faces(cage.mesh.faceVertexCounts, cage.mesh.faceVertexIndices);
+    const size_t points = cage.points.size();
+    const PrimvarSizes sizes{cage.mesh.faceVertexCounts.size(), points, points,
+                             cage.mesh.faceVertexIndices.size(), 1};
     for (const Interpolation interpolation : kInterpolations) {
         for (int arity = 1; arity <= 4; ++arity) {
             const size_t count = ElementCount(cage, interpolation);
@@ -281,7 +283,7 @@ TEST(CheckPrimvar, FindsWrongElementCounts) {
                 return CheckPrimvar("st",
                                     {interpolation, arity, std::vector<float>(valueCount * arity),
                                      std::move(indices)},
-                                    {faces, cage.points.size(), 1});
+                                    sizes);
             };
             EXPECT_EQ(check(count, {}), "");
             EXPECT_NE(check(count + 1, {}), "");
@@ -297,11 +299,10 @@ TEST(CheckPrimvar, FindsWrongElementCounts) {
 }
 
 TEST(CheckPrimvar, NamesWhatIsNotFinite) {
-    const FaceVertices faces({4}, {0, 1, 2, 3});
     for (const float bad :
          {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
         const std::string error =
-            CheckPrimvar("st", {Interpolation::Constant, 2, {1, bad}, {}}, {faces, 4, 1});
+            CheckPrimvar("st", {Interpolation::Constant, 2, {1, bad}, {}}, {1, 4, 4, 4, 1});
         EXPECT_NE(error.find("st has"), std::string::npos) << error;
     }
 }

@@ -14,7 +14,7 @@ namespace {
 std::vector<std::string> ShownNames(const Scene& scene) {
     std::vector<std::string> names;
     for (uint32_t i = 0; i < scene.Instances().Instances().size(); ++i) {
-        names.push_back(scene.InstanceMesh(i).Name());
+        names.push_back(scene.InstanceShape(i).Name());
     }
     return names;
 }
@@ -84,7 +84,7 @@ TEST(Scene, DoesOnlyWhatChangesAskFor) {
     expectWork(2, 1, 5);
     a->SetTopology(Cube().mesh);
     expectWork(3, 1, 6);
-    scene.RemoveMesh(a);
+    scene.RemoveShape(a);
     expectWork(3, 1, 7);
     EXPECT_EQ(ShownNames(scene), Names{"/b"});
 }
@@ -178,7 +178,7 @@ TEST(Scene, RemovesOnlyWhatIsNamed) {
     ASSERT_EQ(scene.Lights().size(), 1u);
     EXPECT_EQ(scene.Lights()[0].get(), b);
     scene.RemoveLight(nullptr);
-    scene.RemoveMesh(nullptr);
+    scene.RemoveShape(nullptr);
     EXPECT_EQ(scene.Lights().size(), 1u);
 }
 

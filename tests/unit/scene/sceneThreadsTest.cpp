@@ -62,7 +62,7 @@ class Fingerprint {
         AddPatches(surface.Patches());
         AddPlans(surface.Plans(), surface.Patches().Count());
         AddArray(surface.PatchPoints().data(), surface.PatchPoints().size());
-        AddBvh(surface.PatchBvh());
+        AddBvh(surface.PrimitiveBvh());
     }
     /// Adds what rays towards each instance hit.
     void AddHits(const InstanceBvh& instances) {
@@ -70,7 +70,7 @@ class Fingerprint {
         std::mt19937 random(5);
         TraceStatistics statistics;
         for (const Instance& instance : instances.Instances()) {
-            const Box3f box = instance.objectToWorld.Box(instance.surface->Bounds());
+            const Box3f box = instance.objectToWorld.Box(instance.geometry->Bounds());
             RayPacket rays = CameraPacket(box, {0.4f, 0.5f, 1}, 0.8f, &random);
             HitPacket hits;
             tracer->Intersect(instances, &rays, &hits, &statistics);
@@ -87,7 +87,7 @@ class Fingerprint {
         AddBvh(scene.Instances().TopLevel());
         AddBvh(scene.Instances().PartBvh());
         for (const Instance& instance : scene.Instances().Instances()) {
-            AddSurface(*instance.surface);
+            AddSurface(SurfaceOf(instance));
         }
         AddHits(scene.Instances());
     }

@@ -42,7 +42,7 @@ struct Crowd {
         surfaces.push_back(std::make_unique<Surface>(cage.mesh, cage.points));
         for (const AffineTransform& place : places) {
             Instance instance;
-            instance.surface = surfaces.back().get();
+            instance.geometry = surfaces.back().get();
             instance.objectToWorld = place;
             place.Invert(&instance.worldToObject);
             instances.push_back(instance);
@@ -68,10 +68,10 @@ TEST(InstanceBvh, EachPatchIsInOnePart) {
     EXPECT_GT(world.Parts().size(), 4 * crowd.instances.size()) << "nothing was opened";
     std::vector<std::vector<int>> counts;
     for (const Instance& instance : crowd.instances) {
-        counts.emplace_back(instance.surface->Patches().Count());
+        counts.emplace_back(SurfaceOf(instance).Patches().Count());
     }
     for (const InstancePart& part : world.Parts()) {
-        const Bvh& bvh = crowd.instances[part.instance].surface->PatchBvh();
+        const Bvh& bvh = crowd.instances[part.instance].geometry->PrimitiveBvh();
         CountPatches(
             bvh,
             part.slot == InstancePart::kWhole ? part.node : bvh.Nodes()[part.node].child[part.slot],

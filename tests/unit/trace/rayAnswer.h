@@ -22,7 +22,7 @@ inline RayAnswer AnswerOf(const InstanceBvh& world, const RayPacket& rays, const
     if (hits.instance[i] == kNoHit) {
         return {};
     }
-    const Surface& surface = *world.Instances()[hits.instance[i]].surface;
+    const Surface& surface = SurfaceOf(world.Instances()[hits.instance[i]]);
     const Vec3f direction{rays.directionX[i], rays.directionY[i], rays.directionZ[i]};
     return {hits.instance[i], surface.Patches().AuthoredFace(hits.patch[i]),
             rays.tMax[i] * Length(direction)};

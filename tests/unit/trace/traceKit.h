@@ -18,7 +18,7 @@ struct TracedCage {
         ValidateControlMesh(&cage.mesh, cage.points.size());
         surface = std::make_unique<Surface>(cage.mesh, cage.points);
         Instance instance;
-        instance.surface = surface.get();
+        instance.geometry = surface.get();
         instance.objectToWorld = objectToWorld;
         objectToWorld.Invert(&instance.worldToObject);
         world = InstanceBvh({instance});

@@ -1,0 +1,7 @@
+#include "core/trace/geometry.h"
+
+namespace cc {
+
+Geometry::~Geometry() = default;
+
+}  // namespace cc

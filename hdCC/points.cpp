@@ -1,0 +1,28 @@
+#include "hdCC/points.h"
+
+#include <utility>
+#include <vector>
+
+PXR_NAMESPACE_OPEN_SCOPE
+
+HdCCPoints::HdCCPoints(SdfPath const &id, HdCCRenderParam *param)
+    : HdCCPoints(id, param, param->GetScene()->AddPoints(id.GetString())) {}
+
+HdCCPoints::HdCCPoints(SdfPath const &id, HdCCRenderParam *param, cc::Points *points)
+    : HdCCShape(id, param, points), _points(points) {}
+
+void HdCCPoints::_SyncGeometry(HdSceneDelegate *delegate, HdCCRenderParam *, HdDirtyBits bits) {
+    if (bits & (HdChangeTracker::DirtyPoints | HdChangeTracker::DirtyComputationPrimvarDesc)) {
+        // Spheres do not move in their own space while the shutter is open.
+        cc::Moving<std::vector<cc::Vec3f>> points;
+        _arePoints =
+            HdCCSyncPoints(delegate, GetId(), "points are", HdCCShutter(), &points);
+        _hasPoints = !points.Poses().front().empty();
+        _points->SetPoints(std::move(points.Poses().front()));
+    }
+    if (bits & (HdChangeTracker::DirtyWidths | HdChangeTracker::DirtyPrimvar)) {
+        _points->SetWidths(HdCCSyncWidths(delegate, GetId()));
+    }
+}
+
+PXR_NAMESPACE_CLOSE_SCOPE
