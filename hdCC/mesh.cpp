@@ -67,8 +67,7 @@ void HdCCMesh::_SyncTopology(HdSceneDelegate *delegate, HdCCRenderParam *param) 
 
 void HdCCMesh::_SyncPoints(HdSceneDelegate *delegate) {
     cc::Moving<std::vector<cc::Vec3f>> points;
-    _hasPoints =
-        HdCCSyncPoints(delegate, GetId(), "mesh is", _GetParam()->GetShutter(), &points);
+    _hasPoints = HdCCSyncPoints(delegate, GetId(), "mesh is", _GetParam()->GetShutter(), &points);
     if (points.IsMoving()) {
         _mesh->SetMovingPoints(std::move(points));
     } else {

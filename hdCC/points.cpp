@@ -15,8 +15,7 @@ void HdCCPoints::_SyncGeometry(HdSceneDelegate *delegate, HdCCRenderParam *, HdD
     if (bits & (HdChangeTracker::DirtyPoints | HdChangeTracker::DirtyComputationPrimvarDesc)) {
         // Spheres do not move in their own space while the shutter is open.
         cc::Moving<std::vector<cc::Vec3f>> points;
-        _arePoints =
-            HdCCSyncPoints(delegate, GetId(), "points are", HdCCShutter(), &points);
+        _arePoints = HdCCSyncPoints(delegate, GetId(), "points are", HdCCShutter(), &points);
         _hasPoints = !points.Poses().front().empty();
         _points->SetPoints(std::move(points.Poses().front()));
     }
