@@ -83,14 +83,21 @@ TfTokenVector HdCCMesh::_PrimvarNames(TfTokenVector asked) const {
 }
 
 void HdCCMesh::_SyncSides(HdSceneDelegate *delegate) {
-    const HdCullStyle style = delegate->GetCullStyle(GetId());
-    _mesh->SetCullBackFaces(
-        style == HdCullStyleBack ||
-        (style == HdCullStyleBackUnlessDoubleSided && !delegate->GetDoubleSided(GetId())));
-    if (style == HdCullStyleFront || style == HdCullStyleFrontUnlessDoubleSided) {
-        TF_WARN("<%s>: culling front faces is not supported; both sides are shown",
-                GetId().GetText());
+    const bool isDoubleSided = delegate->GetDoubleSided(GetId());
+    cc::CulledSide side = cc::CulledSide::None;
+    switch (delegate->GetCullStyle(GetId())) {
+        case HdCullStyleDontCare:
+        case HdCullStyleNothing: break;
+        case HdCullStyleBack: side = cc::CulledSide::Back; break;
+        case HdCullStyleFront: side = cc::CulledSide::Front; break;
+        case HdCullStyleBackUnlessDoubleSided:
+            side = isDoubleSided ? side : cc::CulledSide::Back;
+            break;
+        case HdCullStyleFrontUnlessDoubleSided:
+            side = isDoubleSided ? side : cc::CulledSide::Front;
+            break;
     }
+    _mesh->SetCulled(side);
 }
 
 PXR_NAMESPACE_CLOSE_SCOPE

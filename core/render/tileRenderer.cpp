@@ -63,7 +63,7 @@ TileRenderer::TileRenderer(const Scene& scene, const CameraRays& camera, const T
       _isMoving(isMoving),
       _film(film) {
     for (const Shape* shape : scene.ShownShapes()) {
-        _hasCulling = _hasCulling || shape->CullBackFaces();
+        _hasCulling = _hasCulling || shape->Culled() != CulledSide::None;
     }
 }
 
@@ -136,8 +136,12 @@ void TileRenderer::_Intersect(RayPacket* rays, HitPacket* hits, RenderWorker* wo
 
 bool TileRenderer::_IsCulled(const RayPacket& rays, const HitPacket& hits, int lane) const {
     const uint32_t instance = hits.instance[lane];
-    return instance != kNoHit && _scene.InstanceShape(instance).CullBackFaces() &&
-           IsHitFromBehind(_scene.Instances().Instances()[instance], rays, hits, lane, _levels);
+    if (instance == kNoHit || _scene.InstanceShape(instance).Culled() == CulledSide::None) {
+        return false;
+    }
+    const bool isBehind =
+        IsHitFromBehind(_scene.Instances().Instances()[instance], rays, hits, lane, _levels);
+    return isBehind == (_scene.InstanceShape(instance).Culled() == CulledSide::Back);
 }
 
 void TileRenderer::_PassThroughCulled(Sample* sample, RenderWorker* worker) const {

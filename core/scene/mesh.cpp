@@ -98,7 +98,7 @@ void Mesh::SetMovingPoints(Moving<std::vector<Vec3f>> points) {
     _motion = std::move(points);
 }
 
-void Mesh::SetCullBackFaces(bool cull) { _cullBackFaces = cull; }
+void Mesh::SetCulled(CulledSide side) { _culled = side; }
 
 Vec3f Mesh::AuthoredNormal(const ShapePoint& at) const {
     if (!_normals) {

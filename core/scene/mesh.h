@@ -24,15 +24,15 @@ class Mesh final : public Shape {
     /// Points that move (Moving). Poses that do not fit the mesh, or are not numbers, leave it at
     /// rest as it is at time 0.
     void SetMovingPoints(Moving<std::vector<Vec3f>> points);
-    /// Single-sided meshes are invisible from behind only if cullBackFaces is set; both sides are
-    /// shaded with the normal that faces the viewer.
-    void SetCullBackFaces(bool cull);
+    /// Makes one side of the mesh invisible to the camera. Both are shaded with the normal that
+    /// faces the viewer.
+    void SetCulled(CulledSide side);
 
     // For the renderer, after Scene::Build:
 
     const Surface* BuiltSurface() const { return _isSurfaceUsable ? _surface.get() : nullptr; }
     const Geometry* BuiltGeometry() const override { return BuiltSurface(); }
-    bool CullBackFaces() const override { return _cullBackFaces; }
+    CulledSide Culled() const override { return _culled; }
     uint32_t ElementOf(uint32_t primitive) const override {
         return _surface->Patches().AuthoredFace(primitive);
     }
@@ -66,7 +66,7 @@ class Mesh final : public Shape {
     FaceVaryingChannel _MakeChannel(const std::string& name, const Primvar& primvar,
                                     BuildReport* report) const;
 
-    bool _cullBackFaces = false;
+    CulledSide _culled = CulledSide::None;
 
     /// Topology and points wait here until they are built; then the surface and _faces have all
     /// that is needed of them.

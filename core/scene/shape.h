@@ -18,6 +18,9 @@ namespace cc {
 /// What a shape without displayColor looks like.
 constexpr Vec3f kDefaultDisplayColor{0.18f, 0.18f, 0.18f};
 
+/// A side of a surface that rays pass through. Normals point away from the back.
+enum class CulledSide { None, Back, Front };
+
 /// Something in the scene that has a geometry: what its kinds share. Setters only note what
 /// changed; Scene::Build does the work. Different shapes may be set from different threads, one
 /// shape from one thread at a time.
@@ -56,8 +59,8 @@ class Shape {
     int PrimId() const { return _primId; }
     /// Null if the shape is broken or empty: it is left out of the picture.
     virtual const Geometry* BuiltGeometry() const = 0;
-    /// True if the shape is invisible from behind.
-    virtual bool CullBackFaces() const { return false; }
+    /// The side of the shape that is invisible.
+    virtual CulledSide Culled() const { return CulledSide::None; }
     /// The authored element that a primitive of the geometry is of: a face, a point, a curve.
     virtual uint32_t ElementOf(uint32_t primitive) const = 0;
     /// Null if the shape has no such primvar, or one that does not fit it.

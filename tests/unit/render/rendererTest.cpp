@@ -86,7 +86,7 @@ TEST(RenderFrame, ExposureScalesColorAndLeavesCoverage) {
 
 TEST(RenderFrame, RaysThatPassCulledFacesEndAtClipPlanes) {
     Scene scene;
-    AddCage(&scene, "/turned", Reversed(Square()))->SetCullBackFaces(true);
+    AddCage(&scene, "/turned", Reversed(Square()))->SetCulled(CulledSide::Back);
     Cage behind = Square();
     for (Vec3f& p : behind.points) {
         p = p * 10 - Vec3f{0, 0, 1};
@@ -253,19 +253,24 @@ TEST(RenderFrame, ClipsAlongTheViewAxis) {
     EXPECT_EQ(corner(), 0);
 }
 
-TEST(RenderFrame, CullsBackFacesOnlyIfAsked) {
+TEST(RenderFrame, CullsTheSideThatItIsAskedTo) {
     for (const bool orthographic : {false, true}) {
         Scene scene;
         Mesh* front = AddCage(&scene, "/front", Reversed(Square()));
         front->SetPrimId(1);
+        front->SetCulled(CulledSide::Front);
         AddCage(&scene, "/behind", Square())->SetTransform(Placed(9, 0, 0, -1));
         Camera camera = CameraAt(2);
         camera.orthographic = orthographic;
         EXPECT_EQ(Render(&scene, camera, Options(), 8, 8).Ints(Aov::PrimId)[36], 1);
-        front->SetCullBackFaces(true);
+        front->SetCulled(CulledSide::Back);
         const Film culled = Render(&scene, camera, Options(), 8, 8);
         EXPECT_EQ(culled.Ints(Aov::PrimId)[36], 0);
         EXPECT_NEAR(culled.Floats(Aov::CameraDepth)[36], 3, 1e-5f);
+        front->SetTopology(Square().mesh);
+        EXPECT_EQ(Render(&scene, camera, Options(), 8, 8).Ints(Aov::PrimId)[36], 1);
+        front->SetCulled(CulledSide::Front);
+        EXPECT_EQ(Render(&scene, camera, Options(), 8, 8).Ints(Aov::PrimId)[36], 0);
     }
 }
 
@@ -274,7 +279,7 @@ TEST(RenderFrame, CulledRaysPassThroughManySurfaces) {
     for (int i = 0; i < 20; ++i) {
         Mesh* mesh = AddCage(&scene, "/layer" + std::to_string(i), Reversed(Square()));
         mesh->SetTransform(Placed(9, 0, 0, -0.1 * i));
-        mesh->SetCullBackFaces(true);
+        mesh->SetCulled(CulledSide::Back);
     }
     Camera camera = CameraAt(2);
     EXPECT_EQ(Render(&scene, camera, Options(), 8, 8).Ints(Aov::PrimId)[36], -1);

@@ -76,7 +76,7 @@ TEST(Scene, DoesOnlyWhatChangesAskFor) {
     expectWork(2, 1, 3);
     a->SetPrimvar("displayColor", ConstantColor({1, 0, 0}));
     a->SetPrimId(4);
-    a->SetCullBackFaces(true);
+    a->SetCulled(CulledSide::Back);
     expectWork(2, 1, 3);
     a->SetVisible(false);
     expectWork(2, 1, 4);
