@@ -12,8 +12,8 @@ from collections.abc import Callable
 
 import pytest
 from hydra_kit import ALL_AOVS, View, add_cube, add_distant_light, add_grid, assert_same, make_stage
-from interactive_kit import converge, draw, expected
-from pxr import Gf, Sdf, UsdGeom
+from interactive_kit import converge, draw
+from pxr import Gf, Sdf, Usd, UsdGeom
 
 EDITS = int(os.environ.get("HDCC_SOAK_EDITS", "400"))
 SEED = int(os.environ.get("HDCC_SOAK_SEED", "1"))
@@ -29,6 +29,7 @@ class Soak:
         stage = make_stage(light=False)
         add_distant_light(stage, shadows=True).AddRotateXYZOp().Set(Gf.Vec3f(30, 20, 0))
         self.view = View(stage, interactive=True, samples=3)
+        self.view.params.frame = Usd.TimeCode(0)
         self.size = (32, 32)
         self.settings: dict[str, object] = {}
         self.names = 0
@@ -41,6 +42,12 @@ class Soak:
             self.retopologize,
             self.hide,
             self.paint,
+            self.reparent,
+            self.instance,
+            self.instance_natively,
+            self.divide,
+            self.animate,
+            self.scatter,
             self.light,
             self.camera,
             self.set,
@@ -81,7 +88,7 @@ class Soak:
     def move_points(self) -> None:
         points = self.any_mesh().GetPointsAttr()
         scale = self.random.uniform(0.8, 1.2)
-        points.Set([point * scale for point in points.Get()])
+        points.Set([point * scale for point in points.Get(0)])
 
     def retopologize(self) -> None:
         mesh = self.any_mesh()
@@ -98,6 +105,88 @@ class Soak:
     def paint(self) -> None:
         color = Gf.Vec3f(*(self.random.random() for _ in range(3)))
         self.any_mesh().GetDisplayColorAttr().Set([color])
+
+    def reparent(self) -> None:
+        path, layer = self.any_mesh().GetPath(), self.view.stage.GetRootLayer()
+        self.names += 1
+        parent = UsdGeom.Xform.Define(self.view.stage, f"/Group{self.names}")
+        parent.AddTranslateOp().Set(0.3 * self.offset())
+        moved = parent.GetPath().AppendChild(path.name)
+        Sdf.CopySpec(layer, path, layer, moved)
+        self.meshes[self.meshes.index(path)] = moved
+        self.view.stage.RemovePrim(path)
+        if path.GetParentPath() != Sdf.Path.absoluteRootPath:
+            self.view.stage.RemovePrim(path.GetParentPath())
+
+    def instance(self) -> None:
+        if self.random.random() < 0.2:
+            self.view.stage.RemovePrim("/Instancer")
+            return
+        instancer = UsdGeom.PointInstancer.Define(self.view.stage, "/Instancer")
+        if not self.view.stage.GetPrimAtPath("/Instancer/Cube"):
+            add_cube(self.view.stage, "/Instancer/Cube", half=0.2)
+            add_grid(self.view.stage, "/Instancer/Grid", size=2, half=0.3)
+        prototypes = ["/Instancer/Cube", "/Instancer/Grid"]
+        instancer.CreatePrototypesRel().SetTargets(prototypes)
+        count = self.random.randint(0, 5)
+        instancer.CreatePositionsAttr().Set([Gf.Vec3f(self.offset()) for _ in range(count)])
+        indices = [self.random.randint(0, 1) for _ in range(count)]
+        instancer.CreateProtoIndicesAttr().Set(indices)
+
+    def instance_natively(self) -> None:
+        stage = self.view.stage
+        if not stage.GetPrimAtPath("/Class"):
+            stage.CreateClassPrim("/Class")
+            add_cube(stage, "/Class/Cube", half=0.3)
+        path = f"/Native{self.random.randint(0, 2)}"
+        if stage.GetPrimAtPath(path) and self.random.random() < 0.3:
+            stage.RemovePrim(path)
+            return
+        prim = UsdGeom.Xform.Define(stage, path)
+        operations = prim.GetOrderedXformOps()
+        (operations[0] if operations else prim.AddTranslateOp()).Set(self.offset())
+        prim.GetPrim().GetReferences().SetReferences([Sdf.Reference("", "/Class")])
+        prim.GetPrim().SetInstanceable(self.random.random() < 0.7)
+
+    def divide(self) -> None:
+        """Into subsets of faces."""
+        path = self.any_mesh().GetPath().AppendChild("part")
+        if self.view.stage.RemovePrim(path) and self.random.random() < 0.5:
+            return
+        subset = UsdGeom.Subset.Define(self.view.stage, path)
+        subset.CreateElementTypeAttr("face")
+        subset.CreateFamilyNameAttr("materialBind")
+        subset.CreateIndicesAttr([self.random.randint(0, 9) for _ in range(3)])
+
+    def animate(self) -> None:
+        """By samples about the frame, which a shutter may be open for."""
+        close = self.view.stage.GetPrimAtPath("/Camera").GetAttribute("shutter:close")
+        close.Set(self.random.choice((0.0, 0.0, 0.5, 1.0)))
+        mesh = self.any_mesh()
+        attribute = self.random.choice(
+            (mesh.GetPointsAttr(), mesh.GetPrim().GetAttribute("xformOp:translate"))
+        )
+        rest = attribute.Get(0)
+        if self.random.random() < 0.4:
+            attribute.Clear()
+            attribute.Set(rest)
+            return
+        offset = 0.3 * self.offset()
+        for time_code in (0, 0.5, 1):
+            is_point = isinstance(rest, Gf.Vec3d)
+            moved = time_code * offset
+            pose = rest + moved if is_point else [point + Gf.Vec3f(moved) for point in rest]
+            attribute.Set(pose, time_code)
+
+    def scatter(self) -> None:
+        """Spheres."""
+        if self.random.random() < 0.3:
+            self.view.stage.RemovePrim("/Points")
+            return
+        points = UsdGeom.Points.Define(self.view.stage, "/Points")
+        count = self.random.randint(0, 4)
+        points.CreatePointsAttr().Set([Gf.Vec3f(self.offset()) for _ in range(count)])
+        points.CreateWidthsAttr().Set([self.random.uniform(0, 0.6) for _ in range(count)])
 
     def light(self) -> None:
         light = self.view.stage.GetPrimAtPath("/Light")
@@ -164,8 +253,9 @@ class Soak:
         self.view.engine.SetRendererAov("color")
         self.view.engine.RestartRenderer()
         picture = converge(self.view)
-        options = {**self.settings, "size": self.size}
-        fresh = expected(self.view, **options)
+        fresh_view = View(self.view.stage, size=self.size, **self.settings)
+        fresh_view.params.frame = self.view.params.frame
+        fresh = fresh_view.render()
         assert_same(picture, fresh, AOVS)
         assert ((picture["primId"] >= 0) == (fresh["primId"] >= 0)).all()
 
