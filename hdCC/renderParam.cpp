@@ -79,10 +79,10 @@ void HdCCRenderParam::AskForMotion(HdCCShutter const &shutter) {
     std::set<HdCCShapeSync *> shapes;
     {
         const std::lock_guard<std::mutex> lock(_mutex);
-        if (!shutter.IsOpen() || _shutter.Holds(shutter)) {
+        if (shutter == _shutter) {
             return;
         }
-        _shutter.Extend(shutter);
+        _shutter = shutter;
         shapes = _shapes;
     }
     const SyncScope scope(this);

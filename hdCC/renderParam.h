@@ -70,10 +70,11 @@ class HdCCRenderParam final : public HdRenderParam {
     /// What AskForPrimvar was called for.
     TfTokenVector GetPrimvarsAskedFor() const;
 
-    /// Has all meshes sync how they move while a shutter is open, too, from now on, those at once
-    /// that have been synced already.
+    /// Has all shapes sync how they move while a shutter is open from now on, those at once that
+    /// have been synced already. OpenUSD's older delegates give the samples of the shutter that the
+    /// camera has when they are asked, so that those of a wider one do not hold for a narrower one.
     void AskForMotion(HdCCShutter const &shutter);
-    /// What AskForMotion was called for, all in one.
+    /// What AskForMotion was last called for.
     HdCCShutter GetShutter() const;
 
     /// Renders in the background. Whoever changes what it reads abandons its job first.

@@ -19,12 +19,6 @@ struct HdCCShutter {
 
     bool IsOpen() const { return open < close; }
     bool operator==(HdCCShutter const &b) const { return open == b.open && close == b.close; }
-    bool Holds(HdCCShutter const &b) const { return open <= b.open && b.close <= close; }
-    /// Opens for another one, too.
-    void Extend(HdCCShutter const &b) {
-        open = std::min(open, b.open);
-        close = std::max(close, b.close);
-    }
 };
 
 /// Asks a scene delegate for the samples of a value. Samples that are all alike are one.

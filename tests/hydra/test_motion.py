@@ -288,3 +288,16 @@ def test_points_of_other_counts_are_shown_at_rest(warnings) -> None:
     square.GetPointsAttr().Set(SQUARE[:3], 11)
     assert is_sharp(coverage(view(stage).render()))
     assert warnings.read().count("</Square>: pose 1 of its motion has 3 points") == 1
+
+
+def test_motion_that_begins_while_the_shutter_is_closed() -> None:
+    stage = make_moving_stage(0.0, 1.0)
+    square = add_square(stage)
+    seen = view(stage)
+    seen.render()
+    closes = stage.GetPrimAtPath("/Camera").GetAttribute("shutter:close")
+    closes.Set(0.0)
+    slide(square)
+    assert is_sharp(coverage(seen.render()))
+    closes.Set(0.5)
+    expect_slid(coverage(seen.render()), 1, 0, 0.5)
