@@ -19,7 +19,7 @@ void HdCCPoints::_SyncGeometry(HdSceneDelegate *delegate, HdCCRenderParam *, HdD
         _points->SetPoints(std::move(points));
     }
     if (bits & (HdChangeTracker::DirtyWidths | HdChangeTracker::DirtyPrimvar)) {
-        _points->SetWidths(HdCCSyncWidths(delegate, GetId()));
+        _points->SetWidths(HdCCSyncValues(delegate, GetId(), TfToken("widths")));
     }
 }
 
