@@ -13,14 +13,13 @@ HdCCPoints::HdCCPoints(SdfPath const &id, HdCCRenderParam *param, cc::Points *po
 
 void HdCCPoints::_SyncGeometry(HdSceneDelegate *delegate, HdCCRenderParam *, HdDirtyBits bits) {
     if (bits & (HdChangeTracker::DirtyPoints | HdChangeTracker::DirtyComputationPrimvarDesc)) {
-        // Spheres do not move in their own space while the shutter is open.
-        cc::Moving<std::vector<cc::Vec3f>> points;
-        _arePoints = HdCCSyncPoints(delegate, GetId(), "points are", HdCCShutter(), &points);
-        _hasPoints = !points.Poses().front().empty();
-        _points->SetPoints(std::move(points.Poses().front()));
+        std::vector<cc::Vec3f> points;
+        _arePoints = HdCCSyncRestingPoints(delegate, GetId(), "points are", &points);
+        _hasPoints = !points.empty();
+        _points->SetPoints(std::move(points));
     }
     if (bits & (HdChangeTracker::DirtyWidths | HdChangeTracker::DirtyPrimvar)) {
-        _points->SetWidths(HdCCSyncWidths(delegate, GetId()));
+        _points->SetWidths(HdCCSyncValues(delegate, GetId(), TfToken("widths")));
     }
 }
 

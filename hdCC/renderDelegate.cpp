@@ -5,6 +5,7 @@
 #include "pxr/base/tf/diagnostic.h"
 #include "pxr/imaging/hd/aov.h"
 
+#include "hdCC/basisCurves.h"
 #include "hdCC/camera.h"
 #include "hdCC/instancer.h"
 #include "hdCC/light.h"
@@ -37,7 +38,7 @@ static TfTokenVector _Tokens(std::initializer_list<char const *> names) {
 }
 
 TfTokenVector const &HdCCRenderDelegate::GetSupportedRprimTypes() const {
-    static const TfTokenVector types = _Tokens({"mesh", "points"});
+    static const TfTokenVector types = _Tokens({"mesh", "basisCurves", "points"});
     return types;
 }
 
@@ -208,6 +209,9 @@ HdRprim *HdCCRenderDelegate::CreateRprim(TfToken const &type, SdfPath const &id)
     const HdCCRenderParam::SyncScope scope(&_param);
     if (type == "mesh") {
         return new HdCCMesh(id, &_param);
+    }
+    if (type == "basisCurves") {
+        return new HdCCBasisCurves(id, &_param);
     }
     return type == "points" ? new HdCCPoints(id, &_param) : nullptr;
 }

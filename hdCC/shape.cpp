@@ -12,7 +12,7 @@
 
 PXR_NAMESPACE_OPEN_SCOPE
 
-TF_DEFINE_PRIVATE_TOKENS(_tokens, (points)(displayColor)(widths));
+TF_DEFINE_PRIVATE_TOKENS(_tokens, (points)(displayColor));
 
 HdCCInstancer const *HdCCShapeSync::_Instancer(HdSceneDelegate *delegate) const {
     return static_cast<HdCCInstancer const *>(
@@ -110,17 +110,25 @@ bool HdCCSyncPoints(HdSceneDelegate *delegate, SdfPath const &id, char const *no
     return arePoints;
 }
 
-cc::Primvar HdCCSyncWidths(HdSceneDelegate *delegate, SdfPath const &id) {
-    cc::Primvar widths;
+bool HdCCSyncRestingPoints(HdSceneDelegate *delegate, SdfPath const &id, char const *noun,
+                           std::vector<cc::Vec3f> *points) {
+    cc::Moving<std::vector<cc::Vec3f>> resting;
+    const bool arePoints = HdCCSyncPoints(delegate, id, noun, HdCCShutter(), &resting);
+    *points = std::move(resting.Poses().front());
+    return arePoints;
+}
+
+cc::Primvar HdCCSyncValues(HdSceneDelegate *delegate, SdfPath const &id, TfToken const &name) {
+    cc::Primvar values;
     std::string error;
-    HdCCGetPrimvar(delegate, id, _tokens->widths,
+    HdCCGetPrimvar(delegate, id, name,
                    {HdInterpolationConstant, HdInterpolationUniform, HdInterpolationVarying,
                     HdInterpolationVertex},
-                   &widths, &error);
+                   &values, &error);
     if (!error.empty()) {
         TF_WARN("<%s>: %s", id.GetText(), error.c_str());
     }
-    return widths;
+    return values;
 }
 
 PXR_NAMESPACE_CLOSE_SCOPE

@@ -17,9 +17,13 @@ Vec3f RayDirection(const RayPacket& rays, int lane) {
 GeometryPoint PointAtHit(const Instance& instance, const RayPacket& rays, const HitPacket& hits,
                          int lane, const LevelMetric& levels) {
     const Vec3f origin{rays.originX[lane], rays.originY[lane], rays.originZ[lane]};
-    const GeometryHit hit{hits.patch[lane], hits.u[lane], hits.v[lane],
+    const Vec3f direction = RayDirection(rays, lane);
+    const GeometryHit hit{hits.patch[lane],
+                          hits.u[lane],
+                          hits.v[lane],
                           instance.worldToObject.Point(origin),
-                          instance.worldToObject.Direction(RayDirection(rays, lane))};
+                          instance.worldToObject.Direction(direction),
+                          instance.worldToObject.Point(origin + direction * rays.tMax[lane])};
     return instance.geometry->PointAt(hit, instance, levels);
 }
 

@@ -69,6 +69,8 @@ Kind* Scene::_AddShape(std::string name) {
 
 Mesh* Scene::AddMesh(std::string name) { return _AddShape<Mesh>(std::move(name)); }
 
+Curves* Scene::AddCurves(std::string name) { return _AddShape<Curves>(std::move(name)); }
+
 Points* Scene::AddPoints(std::string name) { return _AddShape<Points>(std::move(name)); }
 
 void Scene::RemoveShape(Shape* shape) {

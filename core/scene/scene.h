@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/scene/curves.h"
 #include "core/scene/light.h"
 #include "core/scene/mesh.h"
 #include "core/scene/points.h"
@@ -24,6 +25,7 @@ class Scene {
     /// The scene owns what it returns.
     Mesh* AddMesh(std::string name);
     Points* AddPoints(std::string name);
+    Curves* AddCurves(std::string name);
     void RemoveShape(Shape* shape);
     Light* AddLight();
     void RemoveLight(Light* light);

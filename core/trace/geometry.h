@@ -14,15 +14,17 @@ class LevelMetric;
 
 /// The kinds of geometry: each is a class of its own, and tracers have an intersector for each.
 enum class GeometryKind {
-    Surface,  ///< class Surface
-    Spheres,  ///< class Spheres
+    Surface,        ///< class Surface
+    Spheres,        ///< class Spheres
+    CurveSegments,  ///< class CurveSegments
 };
 
 /// A ray's hit on a geometry, in the geometry's own space.
 struct GeometryHit {
     uint32_t primitive = 0;
-    float u = 0, v = 0;       ///< in the primitive
-    Vec3f origin, direction;  ///< of the ray; the direction has any length
+    float u = 0, v = 0;        ///< in the primitive
+    Vec3f origin, direction;   ///< of the ray; the direction has any length
+    Vec3f position = Vec3f();  ///< where the ray ends
 };
 
 /// What a geometry is like where a ray hits it, in its own space.

@@ -3,6 +3,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "core/trace/curveIntersector-inl.h"
 #include "core/trace/geometryTracing-inl.h"
 #include "core/trace/sphereIntersector-inl.h"
 
@@ -51,6 +52,11 @@ bool TraceGeometry(const Instance& instance, uint32_t number, const TraversalSta
                 geometry, start, rays, statistics,
                 SphereIntersector<Rays, kAnyHit>(static_cast<const Spheres&>(geometry), number,
                                                  rays, hits));
+        case GeometryKind::CurveSegments:
+            return TracePrimitives<Rays, kAnyHit>(
+                geometry, start, rays, statistics,
+                CurveIntersector<Rays, kAnyHit>(static_cast<const CurveSegments&>(geometry), number,
+                                                rays, hits));
         case GeometryKind::Surface: break;
     }
     return true;

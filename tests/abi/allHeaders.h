@@ -10,6 +10,8 @@
 #include "pxr/imaging/cameraUtil/conformWindow.h"
 #include "pxr/imaging/cameraUtil/framing.h"
 #include "pxr/imaging/hd/aov.h"
+#include "pxr/imaging/hd/basisCurves.h"
+#include "pxr/imaging/hd/basisCurvesTopology.h"
 #include "pxr/imaging/hd/bprim.h"
 #include "pxr/imaging/hd/camera.h"
 #include "pxr/imaging/hd/changeTracker.h"

@@ -12,6 +12,8 @@ PXR_NAMESPACE_OPEN_SCOPE
     Abi##CLASS::~Abi##CLASS() {}      \
     char abiSize##CLASS[sizeof(CLASS)] = {1};
 
+POLYMORPHIC(HdBasisCurves)
+POLYMORPHIC(HdBasisCurvesTopology)
 POLYMORPHIC(HdBprim)
 POLYMORPHIC(HdCamera)
 POLYMORPHIC(HdExtComputation)

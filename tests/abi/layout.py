@@ -14,6 +14,7 @@ from .headers import HERE, Headers, compile_library
 # Classes in the library that override what each abstract class leaves open. The library's table
 # of the abstract class has no names in those slots, its heirs' tables do.
 HEIRS = {
+    "HdBasisCurves": "HdStBasisCurves",
     "HdBprim": "HdStRenderBuffer",
     "HdLight": "HdStLight",
     "HdMaterial": "HdStMaterial",
