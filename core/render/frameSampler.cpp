@@ -26,6 +26,9 @@ RenderOptions MakeValid(const Scene& scene, const RenderOptions& options) {
 /// The side of the squares whose pixels all see other times.
 constexpr int kInterleave = 2;
 
+/// Most times that a pixel sees; a pixel may be asked for as many samples as there are numbers.
+constexpr int kMostTimes = 4096;
+
 /// True if samples that are taken at different times see something else.
 bool IsBlurred(const Scene& scene, const Camera& camera) {
     const bool isOpen = camera.shutterOpen < camera.shutterClose;
@@ -66,11 +69,12 @@ FrameSampler::FrameSampler(Scene* scene, const Camera& camera, const RenderOptio
 
 void FrameSampler::_MakeParts() {
     const auto parts = InterleavedTiles(_width, _height, kInterleave);
+    const int times = std::min(_samplesPerPixel, kMostTimes);
     for (size_t part = 0; part < parts.size(); ++part) {
         const size_t begin = _tiles.size();
         _tiles.insert(_tiles.end(), parts[part].begin(), parts[part].end());
         _parts.push_back({{begin, _tiles.size()},
-                          ShutterTimes(_camera.shutterOpen, _camera.shutterClose, _samplesPerPixel,
+                          ShutterTimes(_camera.shutterOpen, _camera.shutterClose, times,
                                        static_cast<int>(part), static_cast<int>(parts.size()))});
     }
 }
@@ -119,7 +123,7 @@ bool FrameSampler::_RenderMoving(int samples, SampleSums* sums, RenderStatistics
             if (_SamplesDone(part.tiles, sums) > sample) {
                 continue;
             }
-            _SetTime(part.times[sample]);
+            _SetTime(part.times[sample % part.times.size()]);
             if (!_ForTiles(part.tiles, renderSample, statistics, stop)) {
                 return false;
             }

@@ -35,8 +35,7 @@ class SampleSums {
 class FrameSampler {
   public:
     /// @param scene  built; nothing else may touch it while samples are rendered, since what moves
-    /// is
-    ///               shown at one time after the other; it must outlive this, as the film must
+    ///               is shown at one time after the other; it must outlive this, as the film must
     FrameSampler(Scene* scene, const Camera& camera, const RenderOptions& options, Film* film);
     FrameSampler(const FrameSampler&) = delete;
     FrameSampler& operator=(const FrameSampler&) = delete;
@@ -67,7 +66,7 @@ class FrameSampler {
     /// Pixels that see the scene at the same times.
     struct Part {
         TileRange tiles;
-        std::vector<float> times;  ///< of the samples
+        std::vector<float> times;  ///< of the samples, which go through them again and again
     };
 
     void _MakeParts();

@@ -1,6 +1,7 @@
 #include <atomic>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -190,6 +191,18 @@ TEST(MotionBlur, HasTheSameBitsHoweverItIsRendered) {
     }
     EXPECT_EQ(Bits(last), bits);
     EXPECT_EQ(progress, int64_t(kSize) * kSize * 9);
+}
+
+TEST(MotionBlur, BeginsAtOnceHoweverManySamplesThereAre) {
+    Scene scene;
+    AddMovingSquare(&scene);
+    scene.Build({"geometry"});
+    ProgressiveFrame frame(&scene, OpenCamera(0, 1), Options(std::numeric_limits<int>::max()), 8, 8,
+                           kAllAovs);
+    while (frame.SamplesDone() < 4) {
+        ASSERT_TRUE(frame.RenderPass(nullptr, nullptr));
+    }
+    EXPECT_FALSE(frame.IsDone());
 }
 
 TEST(MotionBlur, IsTakenUpAgainWhereItWasStopped) {
