@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "pxr/base/tf/diagnostic.h"
+#include "pxr/base/tf/hash.h"
 #include "pxr/base/tf/staticTokens.h"
 #include "pxr/imaging/hd/changeTracker.h"
 #include "pxr/imaging/hd/sceneDelegate.h"
@@ -50,6 +51,12 @@ void HdCCMesh::_SyncGeometry(HdSceneDelegate *delegate, HdCCRenderParam *param, 
 void HdCCMesh::_SyncTopology(HdSceneDelegate *delegate, HdCCRenderParam *param) {
     const HdMeshTopology topology = delegate->GetMeshTopology(GetId());
     const PxOsdSubdivTags tags = delegate->GetSubdivTags(GetId());
+    _SyncSubsets(topology);
+    const size_t hash = TfHash::Combine(topology.ComputeHash(), tags.ComputeHash());
+    if (_hasTopology && hash == _topologyHash) {
+        return;  // subsets count as topology, but shape nothing
+    }
+    _topologyHash = hash;
     cc::ControlMesh mesh;
     std::vector<std::string> warnings;
     _hasTopology = HdCCToControlMesh(topology, tags, &mesh, &warnings);
@@ -63,6 +70,17 @@ void HdCCMesh::_SyncTopology(HdSceneDelegate *delegate, HdCCRenderParam *param) 
     _hasFaces = !mesh.faceVertexCounts.empty();
     _isPolygonal = _hasTopology && mesh.scheme == cc::Scheme::None;
     _mesh->SetTopology(std::move(mesh));
+}
+
+void HdCCMesh::_SyncSubsets(HdMeshTopology const &topology) {
+    std::vector<cc::FaceSubset> subsets;
+    for (HdGeomSubset const &subset : topology.GetGeomSubsets()) {
+        if (!subset.materialId.IsEmpty()) {
+            subsets.push_back(
+                {subset.materialId.GetString(), {subset.indices.cbegin(), subset.indices.cend()}});
+        }
+    }
+    _mesh->SetSubsets(std::move(subsets));
 }
 
 void HdCCMesh::_SyncPoints(HdSceneDelegate *delegate) {

@@ -31,10 +31,13 @@ class HdCCMesh final : public HdCCShape<HdMesh> {
     HdCCMesh(SdfPath const &id, HdCCRenderParam *param, cc::Mesh *mesh);
 
     void _SyncTopology(HdSceneDelegate *delegate, HdCCRenderParam *param);
+    void _SyncSubsets(HdMeshTopology const &topology);
     void _SyncPoints(HdSceneDelegate *delegate);
     void _SyncSides(HdSceneDelegate *delegate);
 
     cc::Mesh *const _mesh;
+    /// Of what the scene's mesh was given last.
+    size_t _topologyHash = 0;
     bool _hasTopology = false, _hasPoints = false, _hasFaces = false;
     /// Polygons have normals of their own; subdivision takes those of the surface.
     bool _isPolygonal = false;

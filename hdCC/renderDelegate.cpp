@@ -181,6 +181,7 @@ HdAovDescriptor HdCCRenderDelegate::GetDefaultAovDescriptor(TfToken const &name)
         case cc::Aov::PrimId:
         case cc::Aov::InstanceId:
         case cc::Aov::ElementId:
+        case cc::Aov::Material:
         case cc::Aov::Level:
         case cc::Aov::Fan: return HdAovDescriptor(HdFormatInt32, false, VtValue(-1));
         case cc::Aov::Normal:

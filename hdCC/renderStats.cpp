@@ -93,6 +93,8 @@ VtDictionary HdCCRenderStats(HdCCFrame const &frame) {
     VtDictionary stats;
     stats["faces"] = VtValue(int64_t(frame.scene.faces));
     stats["patches"] = VtValue(int64_t(frame.scene.patches));
+    stats["materials"] =
+        VtValue(VtStringArray(frame.scene.materials.begin(), frame.scene.materials.end()));
     stats["instances"] = VtValue(int64_t(frame.scene.instances));
     stats["seconds"] = VtValue(seconds);
     stats["rays"] = VtValue(rays);

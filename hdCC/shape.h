@@ -103,6 +103,10 @@ class HdCCShape : public Base {
             _sync.GetShape()->SetPrimId(this->GetPrimId());
         }
         _SyncGeometry(delegate, shared, bits);
+        if (bits & HdChangeTracker::DirtyMaterialId) {
+            this->SetMaterialId(delegate->GetMaterialId(this->GetId()));
+            _sync.GetShape()->SetMaterial(this->GetMaterialId().GetString());
+        }
         if (bits & (HdChangeTracker::DirtyPrimvar | HdChangeTracker::DirtyNormals |
                     HdChangeTracker::DirtyTopology | HdChangeTracker::DirtyInstancer |
                     HdChangeTracker::DirtyInstanceIndex)) {
@@ -134,12 +138,13 @@ class HdCCShape : public Base {
     }
 
     HdDirtyBits GetInitialDirtyBitsMask() const override {
-        return HdChangeTracker::DirtyPrimID | HdChangeTracker::DirtyPoints |
-               HdChangeTracker::DirtyPrimvar | HdChangeTracker::DirtyNormals |
-               HdChangeTracker::DirtyWidths | HdChangeTracker::DirtyComputationPrimvarDesc |
-               HdChangeTracker::DirtyTopology | HdChangeTracker::DirtyTransform |
-               HdChangeTracker::DirtyVisibility | HdChangeTracker::DirtyInstancer |
-               HdChangeTracker::DirtyInstanceIndex | HdChangeTracker::DirtyRenderTag;
+        return HdChangeTracker::DirtyPrimID | HdChangeTracker::DirtyMaterialId |
+               HdChangeTracker::DirtyPoints | HdChangeTracker::DirtyPrimvar |
+               HdChangeTracker::DirtyNormals | HdChangeTracker::DirtyWidths |
+               HdChangeTracker::DirtyComputationPrimvarDesc | HdChangeTracker::DirtyTopology |
+               HdChangeTracker::DirtyTransform | HdChangeTracker::DirtyVisibility |
+               HdChangeTracker::DirtyInstancer | HdChangeTracker::DirtyInstanceIndex |
+               HdChangeTracker::DirtyRenderTag;
     }
 
   protected:

@@ -22,6 +22,7 @@ constexpr AovDescription kAovs[] = {
     {Aov::ElementId, "elementId", {1, true}, -1},
     {Aov::Normal, "normal", {3, false}, 0},
     {Aov::Neye, "Neye", {3, false}, 0},
+    {Aov::Material, "hdcc:material", {1, true}, -1},
     {Aov::Level, "hdcc:level", {1, true}, -1},
     {Aov::Fan, "hdcc:fan", {1, true}, -1},
     {Aov::Cost, "hdcc:cost", {1, false}, 0},

@@ -18,6 +18,7 @@ struct Aov {
         ElementId,    ///< 1 int: the authored face. Background -1
         Normal,       ///< 3 floats: the shading normal, unit, world space. Background 0 0 0
         Neye,         ///< 3 floats: as Normal, in camera space. Background 0 0 0
+        Material,     ///< 1 int: which of Scene::MaterialNames. Background and none -1
         Level,        ///< 1 int: of the patch. Background -1
         Fan,      ///< 1 int: 1 where a patch is stitched to a coarser one, else 0. Background -1
         Cost,     ///< 1 float: steps that the packet took, a ray. Background 0

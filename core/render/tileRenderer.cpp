@@ -234,6 +234,7 @@ void TileRenderer::_WriteSurface(const Tile& tile, const Sample& sample) const {
     int32_t* primId = _film->Ints(Aov::PrimId);
     int32_t* instanceId = _film->Ints(Aov::InstanceId);
     int32_t* elementId = _film->Ints(Aov::ElementId);
+    int32_t* material = _film->Ints(Aov::Material);
     for (int lane = 0; lane < sample.rays.count; ++lane) {
         const size_t pixel = PixelOf(tile, lane, _film->Width());
         const bool isHit = sample.IsHit(lane);
@@ -249,6 +250,11 @@ void TileRenderer::_WriteSurface(const Tile& tile, const Sample& sample) const {
         if (elementId) {
             const uint32_t primitive = sample.hits.patch[lane];
             elementId[pixel] = isHit ? static_cast<int32_t>(shape->ElementOf(primitive)) : -1;
+        }
+        if (material) {
+            const uint32_t instance = sample.hits.instance[lane];
+            material[pixel] =
+                isHit ? _scene.MaterialOf(instance, shape->ElementOf(sample.hits.patch[lane])) : -1;
         }
         if (normal || neye) {
             const Vec3f n = isHit ? _Shade(sample, lane).shadingNormal : Vec3f{};

@@ -27,6 +27,9 @@ class Mesh final : public Shape {
     /// Makes one side of the mesh invisible to the camera. Both are shaded with the normal that
     /// faces the viewer.
     void SetCulled(CulledSide side);
+    /// Gives faces a material of their own. Faces that there are not, and those of an earlier
+    /// subset, are left out, and Build says so.
+    void SetSubsets(std::vector<FaceSubset> subsets) { _SetSubsets(std::move(subsets)); }
 
     // For the renderer, after Scene::Build:
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <chrono>
 #include <cstring>
+#include <set>
 #include <unordered_set>
 #include <utility>
 
@@ -110,6 +111,7 @@ std::vector<std::string> Scene::Build(const std::vector<std::string>& renderTags
     std::vector<std::string> lines;
     const bool shapesChanged = _BuildShapes(shapes, &lines);
     _BuildTopLevel(shapes, shapesChanged);
+    _NumberMaterials();
     SetTime(0);
     _Tessellate(tessellationLevel, &lines);
     _work.buildSeconds = SecondsSince(start);
@@ -179,6 +181,27 @@ std::vector<Instance> Scene::_PlaceInstances() {
     instances.resize(placed);
     _origins.resize(placed);
     return instances;
+}
+
+void Scene::_NumberMaterials() {
+    std::set<std::string> names;
+    for (const Shape* shape : _shown) {
+        names.insert(shape->Materials().Names().begin(), shape->Materials().Names().end());
+    }
+    names.erase(std::string());
+    _materialNames.assign(names.begin(), names.end());
+    _materialsOfShapes.clear();
+    for (const Shape* shape : _shown) {
+        std::vector<int>& numbers = _materialsOfShapes.emplace_back();
+        for (const std::string& name : shape->Materials().Names()) {
+            const auto found = names.find(name);
+            numbers.push_back(found == names.end()
+                                  ? -1
+                                  : static_cast<int>(std::lower_bound(_materialNames.begin(),
+                                                                      _materialNames.end(), name) -
+                                                     _materialNames.begin()));
+        }
+    }
 }
 
 bool Scene::IsMoving() const {
@@ -258,6 +281,7 @@ void Scene::_Tessellate(std::optional<int> level, std::vector<std::string>* line
 
 Scene::Statistics Scene::GetStatistics() const {
     Statistics statistics = _work;
+    statistics.materials = _materialNames;
     for (const Shape* shape : _shown) {
         statistics.faces += shape->_FaceCount();
         statistics.bytes += shape->_Bytes();

@@ -61,6 +61,13 @@ class Scene {
     /// Which of its shape's instances it is; 0 if the shape is not instanced.
     uint32_t InstanceIndex(uint32_t instance) const { return _origins[instance].index; }
     const std::vector<std::unique_ptr<Light>>& Lights() const { return _lights; }
+    /// The names of the materials of all shapes that are shown, in order.
+    const std::vector<std::string>& MaterialNames() const { return _materialNames; }
+    /// Which of them an element of an instance has; -1 for none.
+    int MaterialOf(uint32_t instance, uint32_t element) const {
+        const uint32_t shape = _origins[instance].shape;
+        return _materialsOfShapes[shape][_shown[shape]->Materials().Of(element)];
+    }
 
     /// Most numbers a value that a primvar has on any shape that is shown; 0 if none has it.
     int PrimvarArity(const std::string& name) const;
@@ -74,6 +81,7 @@ class Scene {
         /// What all calls of Build did: geometries made, those whose points moved, top levels
         /// and primvars.
         size_t surfacesBuilt = 0, surfacesMoved = 0, topLevelsBuilt = 0, primvarsBuilt = 0;
+        std::vector<std::string> materials;  ///< MaterialNames
     };
     Statistics GetStatistics() const;
 
@@ -83,6 +91,7 @@ class Scene {
     /// Instances of what is shown, and their origins.
     std::vector<Instance> _PlaceInstances();
     void _MoveInstance(size_t instance);
+    void _NumberMaterials();
     void _Tessellate(std::optional<int> level, std::vector<std::string>* lines);
 
     template <class Kind>
@@ -99,6 +108,9 @@ class Scene {
         uint32_t index;  ///< among the instances of that
     };
     std::vector<Origin> _origins;
+    std::vector<std::string> _materialNames;
+    /// Of each that is in _shown, by the place in its FaceMaterials::Names.
+    std::vector<std::vector<int>> _materialsOfShapes;
     std::optional<int> _tessellationLevel;
     bool _tessellationFits = true;
     float _time = 0;

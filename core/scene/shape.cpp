@@ -47,6 +47,16 @@ void Shape::SetMovingInstances(Moving<std::vector<AffineTransform>> instanceToWo
 
 void Shape::ClearInstances() { _placementChanged |= _placement.ClearInstances(); }
 
+void Shape::SetMaterial(std::string name) {
+    _materialsChanged |= name != _material;
+    _material = std::move(name);
+}
+
+void Shape::_SetSubsets(std::vector<FaceSubset> subsets) {
+    _materialsChanged |= !(subsets == _subsets);
+    _subsets = std::move(subsets);
+}
+
 Vec3f Shape::DisplayColor(const ShapePoint& at) const {
     if (!_displayColor) {
         return kDefaultDisplayColor;
@@ -69,6 +79,9 @@ Shape::BuildReport Shape::_Build() {
     }
     if (_placementChanged || report.work != GeometryWork::None) {
         _BuildPlacement(&report);
+    }
+    if (_Geometry() && (_materialsChanged || report.work == GeometryWork::Rebuilt)) {
+        _BuildMaterials(&report);
     }
     _placementChanged = false;
     return report;
@@ -145,8 +158,20 @@ void Shape::_BuildPlacement(BuildReport* report) {
     }
 }
 
+void Shape::_BuildMaterials(BuildReport* report) {
+    std::string warning;
+    _materials = FaceMaterials(_material, _subsets, _FaceCount(), &warning);
+    _materialsChanged = false;
+    if (!warning.empty()) {
+        report->lines.push_back(warning);
+    }
+}
+
 size_t Shape::_Bytes() const {
-    size_t bytes = _OwnBytes() + _placement.Bytes();
+    size_t bytes = _OwnBytes() + _placement.Bytes() + _materials.Bytes();
+    for (const FaceSubset& subset : _subsets) {
+        bytes += subset.faces.capacity() * sizeof(int);
+    }
     bytes += BuiltGeometry() ? BuiltGeometry()->Bytes() : 0;
     for (const auto& [name, slot] : _primvars) {
         bytes += slot.field.Bytes();

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/math/transform.h"
+#include "core/scene/faceMaterials.h"
 #include "core/scene/moving.h"
 #include "core/scene/placement.h"
 #include "core/scene/primvar.h"
@@ -51,11 +52,14 @@ class Shape {
     /// Shows the shape itself again.
     void ClearInstances();
     void SetVisible(bool visible) { _visible = visible; }
+    /// Names the material of the shape; empty for none.
+    void SetMaterial(std::string name);
     /// Hydra's render tag (purpose) of the shape: geometry, render, proxy or guide.
     void SetRenderTag(std::string tag) { _renderTag = std::move(tag); }
 
     // For the renderer, after Scene::Build:
 
+    const FaceMaterials& Materials() const { return _materials; }
     int PrimId() const { return _primId; }
     /// Null if the shape is broken or empty: it is left out of the picture.
     virtual const Geometry* BuiltGeometry() const = 0;
@@ -116,6 +120,8 @@ class Shape {
     /// Before the geometry goes, or the instances: primvars are to be spread over the next ones.
     void _TakePrimvarsBack(bool ofInstancesOnly);
     size_t _PlaceCount() const { return _placement.Count(); }
+    /// Of a mesh; the next Build takes them over.
+    void _SetSubsets(std::vector<FaceSubset> subsets);
 
   private:
     struct PrimvarSlot {
@@ -131,6 +137,7 @@ class Shape {
     void _BuildPrimvars(BuildReport* report);
     void _BuildPrimvar(const std::string& name, PrimvarSlot* slot, BuildReport* report) const;
     void _BuildPlacement(BuildReport* report);
+    void _BuildMaterials(BuildReport* report);
     bool _IsMoving() const { return _GeometryMoves() || _placement.IsMoving(); }
     bool _IsShown() const { return BuiltGeometry() && _obstacles.Count() < _placement.Count(); }
     size_t _Bytes() const;
@@ -143,6 +150,11 @@ class Shape {
     Placement _placement;
     bool _placementChanged = false;
     Placement::Obstacles _obstacles;
+
+    std::string _material;
+    std::vector<FaceSubset> _subsets;
+    bool _materialsChanged = false;
+    FaceMaterials _materials;
 
     std::map<std::string, PrimvarSlot> _primvars;
     /// Of displayColor; null for the default grey.

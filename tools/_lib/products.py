@@ -1,4 +1,4 @@
-"""Render products: the pictures that a UsdRenderSettings prim asks for, and what each is to hold."""
+"""Render products: the pictures that a UsdRenderSettings prim asks for, and what each holds."""
 
 import math
 from collections.abc import Iterator

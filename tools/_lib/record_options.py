@@ -28,6 +28,7 @@ AOVS = (
     "elementId",
     "normal",
     "Neye",
+    "hdcc:material",
     "hdcc:level",
     "hdcc:fan",
     "hdcc:cost",

@@ -130,7 +130,7 @@ def _first_camera(stage: Usd.Stage) -> UsdGeom.Camera | None:
 class Framing:
     """What of the camera's window a picture shows."""
 
-    #: of the whole picture, in pixels, and of the part that is rendered: counted from the upper left
+    #: of the whole picture, in pixels, and of the part that is rendered, from the upper left
     size: tuple[int, int]
     data_window: Gf.Rect2i
     pixel_aspect: float = 1.0
