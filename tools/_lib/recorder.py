@@ -126,7 +126,8 @@ class EngineRecorder:
         display = Gf.Range2f(corner, corner + Gf.Vec2f(*framing.size))
         moved = Gf.Rect2i(Gf.Vec2i(0, 0), data.GetWidth(), data.GetHeight())
         self._engine.SetFraming(CameraUtil.Framing(display, moved, framing.pixel_aspect))
-        self._engine.SetWindowPolicy(framing.conform)
+        if view.framing:
+            self._engine.SetWindowPolicy(framing.conform)
         self._engine.SetRenderBufferSize(moved.GetSize())
 
     def _set_lights(self, camera: Gf.Camera) -> None:
