@@ -19,9 +19,10 @@ void HdCCBasisCurves::_SyncGeometry(HdSceneDelegate *delegate, HdCCRenderParam *
         _SyncTopology(delegate);
     }
     if (bits & (HdChangeTracker::DirtyPoints | HdChangeTracker::DirtyComputationPrimvarDesc)) {
-        std::vector<cc::Vec3f> points;
-        _arePoints = HdCCSyncRestingPoints(delegate, GetId(), "curves are", &points);
-        _curves->SetPoints(std::move(points));
+        cc::Moving<std::vector<cc::Vec3f>> points;
+        _arePoints =
+            HdCCSyncPoints(delegate, GetId(), "curves are", _GetParam()->GetShutter(), &points);
+        _curves->SetMovingPoints(std::move(points));
     }
     if (bits & (HdChangeTracker::DirtyWidths | HdChangeTracker::DirtyPrimvar)) {
         _curves->SetWidths(HdCCSyncValues(delegate, GetId(), TfToken("widths")));

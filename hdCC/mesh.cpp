@@ -86,11 +86,7 @@ void HdCCMesh::_SyncSubsets(HdMeshTopology const &topology) {
 void HdCCMesh::_SyncPoints(HdSceneDelegate *delegate) {
     cc::Moving<std::vector<cc::Vec3f>> points;
     _hasPoints = HdCCSyncPoints(delegate, GetId(), "mesh is", _GetParam()->GetShutter(), &points);
-    if (points.IsMoving()) {
-        _mesh->SetMovingPoints(std::move(points));
-    } else {
-        _mesh->SetPoints(std::move(points.Poses().front()));
-    }
+    _mesh->SetMovingPoints(std::move(points));
 }
 
 TfTokenVector HdCCMesh::_PrimvarNames(TfTokenVector asked) const {

@@ -13,10 +13,11 @@ HdCCPoints::HdCCPoints(SdfPath const &id, HdCCRenderParam *param, cc::Points *po
 
 void HdCCPoints::_SyncGeometry(HdSceneDelegate *delegate, HdCCRenderParam *, HdDirtyBits bits) {
     if (bits & (HdChangeTracker::DirtyPoints | HdChangeTracker::DirtyComputationPrimvarDesc)) {
-        std::vector<cc::Vec3f> points;
-        _arePoints = HdCCSyncRestingPoints(delegate, GetId(), "points are", &points);
-        _hasPoints = !points.empty();
-        _points->SetPoints(std::move(points));
+        cc::Moving<std::vector<cc::Vec3f>> points;
+        _arePoints =
+            HdCCSyncPoints(delegate, GetId(), "points are", _GetParam()->GetShutter(), &points);
+        _hasPoints = !points.Poses().front().empty();
+        _points->SetMovingPoints(std::move(points));
     }
     if (bits & (HdChangeTracker::DirtyWidths | HdChangeTracker::DirtyPrimvar)) {
         _points->SetWidths(HdCCSyncValues(delegate, GetId(), TfToken("widths")));

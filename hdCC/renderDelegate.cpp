@@ -98,7 +98,9 @@ void HdCCRenderDelegate::HeedSceneSettings(SdfPath const &prim) {
         const TfToken key(name);
         VtValue checked;
         const std::string error = HdCCCheckRenderSetting(key, value, &checked);
-        if (!error.empty()) {
+        if (!HdCCMayBeOfScene(key)) {
+            TF_WARN("<%s>: a scene cannot set %s; it is ignored", prim.GetText(), name.c_str());
+        } else if (!error.empty()) {
             TF_WARN("<%s>: %s", prim.GetText(), error.c_str());
         } else {
             values[key] = checked;

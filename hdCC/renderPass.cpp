@@ -15,6 +15,7 @@
 #include "hdCC/backgroundFrame.h"
 #include "hdCC/camera.h"
 #include "hdCC/convert.h"
+#include "hdCC/dump.h"
 #include "hdCC/renderDelegate.h"
 #include "hdCC/renderParam.h"
 #include "hdCC/renderSettings.h"
@@ -248,7 +249,20 @@ bool HdCCRenderPass::_Prepare(GfRect2i const &visible, HdCCFrame *frame, cc::Cam
         TF_WARN("%s", warning.c_str());
     }
     frame->scene = _param->GetScene()->GetStatistics();
+    _Dump(*camera);
     return true;
+}
+
+/// If a file is set for that.
+void HdCCRenderPass::_Dump(cc::Camera const &camera) const {
+    const std::string path = _delegate->GetRenderSetting(HdCCDumpSetting(), std::string());
+    if (path.empty()) {
+        return;
+    }
+    const std::string error = HdCCDumpFrame(path, *_delegate, *_param->GetScene(), camera);
+    if (!error.empty()) {
+        TF_RUNTIME_ERROR("%s", error.c_str());
+    }
 }
 
 /// Begins a frame, once all that renders has let go of the scene.

@@ -82,6 +82,7 @@ class HdCCRenderPass final : public HdRenderPass {
     bool _MakeCamera(GfRect2i const &visible, cc::Camera *camera) const;
     bool _IsFrameLost() const;
     void _Begin(bool isInteractive);
+    void _Dump(cc::Camera const &camera) const;
     bool _Prepare(GfRect2i const &visible, HdCCFrame *frame, cc::Camera *camera);
     void _RenderWhole(GfRect2i const &visible, cc::Camera const &camera, HdCCFrame made);
     void _RenderInBackground(GfRect2i const &visible, cc::Camera const &camera, HdCCFrame made);

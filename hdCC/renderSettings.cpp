@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "pxr/base/tf/fileUtils.h"
+#include "pxr/base/tf/pathUtils.h"
 #include "pxr/base/tf/staticTokens.h"
 #include "pxr/base/tf/stringUtils.h"
 
@@ -25,12 +27,13 @@ TF_DEFINE_PRIVATE_TOKENS(
     ((seed, "hdcc:seed"))
     ((threads, "hdcc:threads"))
     ((aovs, "hdcc:aovs"))
+    ((dump, "hdcc:dump"))
 );
 // clang-format on
 
 namespace {
 
-enum class _Kind { Choice, Switch, Integer, Number, Aovs };
+enum class _Kind { Choice, Switch, Integer, Number, Aovs, File };
 
 struct _Setting {
     TfToken key;
@@ -106,6 +109,7 @@ static std::vector<_Setting> const &_Settings() {
          kMost},
         {_tokens->threads, "Threads (0: all)", _Kind::Integer, VtValue(0), {}, 0, kMostThreads},
         {_tokens->aovs, "AOVs to keep", _Kind::Aovs, VtValue(std::string())},
+        {_tokens->dump, "Write the scene as text to", _Kind::File, VtValue(std::string())},
     };
     return settings;
 }
@@ -117,6 +121,10 @@ HdRenderSettingDescriptorList HdCCRenderSettingDescriptors() {
     }
     return descriptors;
 }
+
+TfToken const &HdCCDumpSetting() { return _tokens->dump; }
+
+bool HdCCMayBeOfScene(TfToken const &key) { return key != _tokens->dump; }
 
 bool HdCCIsRenderSetting(TfToken const &key) {
     return TfStringStartsWith(key.GetString(), "hdcc:");
@@ -131,6 +139,9 @@ static std::string _AllowedText(_Setting const &setting) {
     }
     if (setting.kind == _Kind::Switch) {
         return "true or false";
+    }
+    if (setting.kind == _Kind::File) {
+        return "a file in a folder that is there";
     }
     char const *kind = setting.kind == _Kind::Integer ? "an integer" : "a number";
     const std::string lowest = TfStringPrintf("%s from %.10g", kind, setting.lowest);
@@ -213,6 +224,9 @@ static bool _Check(_Setting const &setting, VtValue const &value, VtValue *check
         return false;
     }
     *checked = VtValue(text);
+    if (setting.kind == _Kind::File) {
+        return text.empty() || TfIsDir(TfGetPathName(TfAbsPath(text)), /* resolveSymlinks */ true);
+    }
     std::vector<cc::Aov> aovs;
     return setting.kind == _Kind::Aovs
                ? HdCCParseAovs(text, &aovs).empty()

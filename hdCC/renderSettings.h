@@ -20,6 +20,12 @@ PXR_NAMESPACE_OPEN_SCOPE
 /// All of them, with their defaults.
 HdRenderSettingDescriptorList HdCCRenderSettingDescriptors();
 
+/// The key of the setting that names a file for HdCCDumpFrame.
+TfToken const &HdCCDumpSetting();
+
+/// False for settings that the application alone may set: scenes write no files.
+bool HdCCMayBeOfScene(TfToken const &key);
+
 /// True if the key is for us to judge: it begins with "hdcc:".
 bool HdCCIsRenderSetting(TfToken const &key);
 

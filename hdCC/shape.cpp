@@ -6,6 +6,7 @@
 #include "pxr/base/tf/staticTokens.h"
 #include "pxr/imaging/hd/extComputationUtils.h"
 
+#include "hdCC/computedPrimvar.h"
 #include "hdCC/instancer.h"
 #include "hdCC/motion.h"
 #include "hdCC/primvars.h"
@@ -79,24 +80,29 @@ void HdCCShapeSync::_SyncPrimvar(TfToken const &name) {
 }
 
 /// Points that a computation makes; an empty value if none makes them.
-static VtValue _ComputedPoints(HdSceneDelegate *delegate, SdfPath const &id) {
+static cc::Moving<VtValue> _ComputedPoints(HdSceneDelegate *delegate, SdfPath const &id,
+                                           HdCCShutter const &shutter) {
     const HdExtComputationPrimvarDescriptorVector primvars =
         delegate->GetExtComputationPrimvarDescriptors(id, HdInterpolationVertex);
     for (HdExtComputationPrimvarDescriptor const &primvar : primvars) {
+        if (primvar.name == _tokens->points && shutter.IsOpen()) {
+            return HdCCSampleComputedPrimvar(delegate, primvar, shutter);
+        }
         if (primvar.name == _tokens->points) {
-            return HdExtComputationUtils::GetComputedPrimvarValues({primvar},
-                                                                   delegate)[_tokens->points];
+            return cc::Moving<VtValue>(HdExtComputationUtils::GetComputedPrimvarValues(
+                {primvar}, delegate)[_tokens->points]);
         }
     }
-    return VtValue();
+    return {};
 }
 
 bool HdCCSyncPoints(HdSceneDelegate *delegate, SdfPath const &id, char const *noun,
                     HdCCShutter const &shutter, cc::Moving<std::vector<cc::Vec3f>> *points) {
-    const VtValue computed = _ComputedPoints(delegate, id);
+    const cc::Moving<VtValue> computed = _ComputedPoints(delegate, id, shutter);
     const cc::Moving<VtValue> values =
-        computed.IsEmpty() ? HdCCSamplePrimvar(delegate, id, _tokens->points, shutter)
-                           : cc::Moving<VtValue>(computed);
+        computed.Poses().front().IsEmpty()
+            ? HdCCSamplePrimvar(delegate, id, _tokens->points, shutter)
+            : computed;
     bool arePoints = true;
     *points = HdCCConvertPoses<std::vector<cc::Vec3f>>(values, [&](VtValue const &value) {
         std::vector<cc::Vec3f> pose;
@@ -107,14 +113,6 @@ bool HdCCSyncPoints(HdSceneDelegate *delegate, SdfPath const &id, char const *no
         }
         return pose;
     });
-    return arePoints;
-}
-
-bool HdCCSyncRestingPoints(HdSceneDelegate *delegate, SdfPath const &id, char const *noun,
-                           std::vector<cc::Vec3f> *points) {
-    cc::Moving<std::vector<cc::Vec3f>> resting;
-    const bool arePoints = HdCCSyncPoints(delegate, id, noun, HdCCShutter(), &resting);
-    *points = std::move(resting.Poses().front());
     return arePoints;
 }
 

@@ -66,10 +66,6 @@ class HdCCShapeSync {
 /// warns, if they are no points.
 bool HdCCSyncPoints(HdSceneDelegate *delegate, SdfPath const &id, char const *noun,
                     HdCCShutter const &shutter, cc::Moving<std::vector<cc::Vec3f>> *points);
-/// The same at the frame's own time.
-bool HdCCSyncRestingPoints(HdSceneDelegate *delegate, SdfPath const &id, char const *noun,
-                           std::vector<cc::Vec3f> *points);
-
 /// What only some kinds of prims have, such as widths; empty if there are none. Warns if they are
 /// no numbers.
 cc::Primvar HdCCSyncValues(HdSceneDelegate *delegate, SdfPath const &id, TfToken const &name);

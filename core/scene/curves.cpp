@@ -49,8 +49,9 @@ void Curves::SetTopology(CurveTopology topology) {
     _topologyChanged = true;
 }
 
-void Curves::SetPoints(std::vector<Vec3f> points) {
-    _points = std::move(points);
+void Curves::SetMovingPoints(MovingPoints points) {
+    _points = PointsAt(points, 0);
+    _motion = points.IsMoving() ? std::move(points) : MovingPoints();
     _valuesChanged = true;
 }
 
@@ -104,7 +105,7 @@ void Curves::_BuildGeometry(BuildReport* report) {
         Tell(_layout.BadCount(), "has not as many vertices as its basis asks for",
              "have not as many vertices as their basis asks for", &report->lines);
     }
-    std::vector<CurveSegment> segments = _MakeSegments(report);
+    std::vector<CurveSegment> segments = _MakeSegments(_points, report);
     std::vector<RibbonNormals> normals = _MakeNormals(report);
     if (_segments) {
         _segments->Move(std::move(segments), std::move(normals));
@@ -113,7 +114,32 @@ void Curves::_BuildGeometry(BuildReport* report) {
         _segments = std::make_unique<CurveSegments>(std::move(segments), std::move(normals));
         report->work = GeometryWork::Rebuilt;
     }
+    _BuildMotion(report);
     _isUsable = !_segments->PrimitiveBvh().IsEmpty();
+}
+
+void Curves::_BuildMotion(BuildReport* report) {
+    const std::string error = CheckPoses(_motion);
+    if (!error.empty()) {
+        report->lines.push_back(error + "; it is shown at rest");
+        _motion = {};
+    }
+    if (!_motion.IsMoving()) {
+        return;
+    }
+    std::vector<std::vector<CurveSegment>> poses;
+    BuildReport saidBefore;
+    for (const std::vector<Vec3f>& pose : _motion.Poses()) {
+        poses.push_back(_MakeSegments(pose, &saidBefore));
+    }
+    _segments->SetPoses(std::move(poses));
+}
+
+void Curves::_Pose(float time) {
+    if (_motion.IsMoving()) {
+        BuildReport saidBefore;
+        _segments->Pose(_MakeSegments(PointsAt(_motion, time), &saidBefore));
+    }
 }
 
 const Primvar* Curves::_Fitting(const std::string& name, const Primvar& primvar, int arity,
@@ -153,14 +179,15 @@ void Curves::_Spread(const Primvar& primvar, int number, uint32_t segment, float
     ToBezier(CurveBasis::Linear, values);
 }
 
-std::vector<CurveSegment> Curves::_MakeSegments(BuildReport* report) const {
+std::vector<CurveSegment> Curves::_MakeSegments(const std::vector<Vec3f>& points,
+                                                BuildReport* report) const {
     const Primvar* const widths = _Fitting("widths", _widths, 1, "widths of 1 are used", report);
     std::vector<CurveSegment> segments(_layout.SegmentCount());
     for (uint32_t s = 0; s < segments.size(); ++s) {
         CurveSegment& segment = segments[s];
         for (int axis = 0; axis < 3; ++axis) {
             float values[4];
-            ToSegment(_layout, s, [&](uint32_t i) { return _points[i][axis]; }, values);
+            ToSegment(_layout, s, [&](uint32_t i) { return points[i][axis]; }, values);
             for (int i = 0; i < 4; ++i) {
                 segment.points[i][axis] = values[i];
             }
@@ -262,8 +289,8 @@ PrimvarSizes Curves::_Sizes() const {
 }
 
 size_t Curves::_OwnBytes() const {
-    return _layout.Bytes() + _points.capacity() * sizeof(Vec3f) + BytesOf(_widths) +
-           BytesOf(_normals) + _topology.vertexCounts.capacity() * sizeof(int);
+    return _layout.Bytes() + _points.capacity() * sizeof(Vec3f) + BytesOf(_motion) +
+           BytesOf(_widths) + BytesOf(_normals) + _topology.vertexCounts.capacity() * sizeof(int);
 }
 
 }  // namespace cc

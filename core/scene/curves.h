@@ -2,9 +2,11 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/scene/curveTopology.h"
+#include "core/scene/movingPoints.h"
 #include "core/scene/shape.h"
 #include "core/trace/curveSegments.h"
 
@@ -19,7 +21,9 @@ class Curves final : public Shape {
     ~Curves() override;
 
     void SetTopology(CurveTopology topology);
-    void SetPoints(std::vector<Vec3f> points);
+    void SetPoints(std::vector<Vec3f> points) { SetMovingPoints(MovingPoints(std::move(points))); }
+    /// Points that move (Moving). If their number does, they rest as they are at time 0.
+    void SetMovingPoints(MovingPoints points);
     /// Diameters in object space, of one number. Without any they are 1.
     void SetWidths(Primvar widths);
     /// What ribbons face, of three numbers. Without any the curves are tubes.
@@ -30,9 +34,13 @@ class Curves final : public Shape {
     SurfaceValue Evaluate(const PrimvarField& primvar, const ShapePoint& at) const override;
 
   private:
+    const char* _KindName() const override { return "curves"; }
+    void _WriteOwnText(TextWriter* out) const override;
     const char* _Is() const override { return "the curves are"; }
     Geometry* _Geometry() override { return _segments.get(); }
     void _BuildGeometry(BuildReport* report) override;
+    bool _GeometryMoves() const override { return _motion.IsMoving(); }
+    void _Pose(float time) override;
     PrimvarSizes _Sizes() const override;
     size_t _OwnBytes() const override;
 
@@ -41,7 +49,9 @@ class Curves final : public Shape {
     /// The primvar, or null if there is none, or one that does not fit, which is told.
     const Primvar* _Fitting(const std::string& name, const Primvar& primvar, int arity,
                             const char* without, BuildReport* report) const;
-    std::vector<CurveSegment> _MakeSegments(BuildReport* report) const;
+    void _BuildMotion(BuildReport* report);
+    std::vector<CurveSegment> _MakeSegments(const std::vector<Vec3f>& points,
+                                            BuildReport* report) const;
     void _DropBadCurves(std::vector<CurveSegment>* segments, BuildReport* report) const;
     std::vector<RibbonNormals> _MakeNormals(BuildReport* report) const;
     /// A number of a primvar's values, as a segment has it, in Bezier form.
@@ -49,6 +59,8 @@ class Curves final : public Shape {
 
     CurveTopology _topology;
     std::vector<Vec3f> _points;
+    /// Kept while the points move; _points are those of time 0.
+    MovingPoints _motion;
     Primvar _widths, _normals;
     bool _topologyChanged = false, _valuesChanged = false;
 

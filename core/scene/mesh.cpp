@@ -5,9 +5,6 @@
 #include <numeric>
 #include <utility>
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include "core/scene/largestCoordinate.h"
 #include "core/subdiv/faceVaryingMesh.h"
 
@@ -16,9 +13,6 @@ namespace {
 
 constexpr char kNormals[] = "normals";
 
-/// Points that a thread takes at a time.
-constexpr size_t kPointGrain = 4096;
-
 std::string CheckPoints(const std::vector<Vec3f>& points) {
     const auto bad = std::find_if_not(points.begin(), points.end(), IsUsable);
     if (bad == points.end()) {
@@ -26,27 +20,6 @@ std::string CheckPoints(const std::vector<Vec3f>& points) {
     }
     return "point " + std::to_string(bad - points.begin()) +
            (IsFinite(*bad) ? " is too far away" : " is not finite") + "; the mesh is left out";
-}
-
-/// Where points are that move. All poses that time lies between have as many, or the first is
-/// taken.
-std::vector<Vec3f> PointsAt(const Moving<std::vector<Vec3f>>& points, float time) {
-    const auto at = points.At(time);
-    std::vector<Vec3f> between = at.first;
-    if (at.weight == 0 || at.second.size() != at.first.size()) {
-        return between;
-    }
-    const double weight = at.weight;
-    tbb::parallel_for(
-        tbb::blocked_range<size_t>(0, between.size(), kPointGrain), [&](const auto& part) {
-            for (size_t i = part.begin(); i < part.end(); ++i) {
-                for (int axis = 0; axis < 3; ++axis) {
-                    between[i][axis] = static_cast<float>((1 - weight) * at.first[i][axis] +
-                                                          weight * at.second[i][axis]);
-                }
-            }
-        });
-    return between;
 }
 
 size_t CountUsedPoints(const ControlMesh& topology) {
@@ -93,7 +66,11 @@ void Mesh::SetPoints(std::vector<Vec3f> points) {
     _motion = {};
 }
 
-void Mesh::SetMovingPoints(Moving<std::vector<Vec3f>> points) {
+void Mesh::SetMovingPoints(MovingPoints points) {
+    if (!points.IsMoving()) {
+        SetPoints(std::move(points.Poses().front()));
+        return;
+    }
     SetPoints(PointsAt(points, 0));
     _motion = std::move(points);
 }
@@ -279,11 +256,7 @@ FaceVaryingChannel Mesh::_MakeChannel(const std::string& name, const Primvar& pr
 }
 
 size_t Mesh::_OwnBytes() const {
-    size_t bytes = _faces.Bytes() + BytesOf(_points) + BytesOfTags(_tags);
-    for (const std::vector<Vec3f>& pose : _motion.Poses()) {
-        bytes += BytesOf(pose);
-    }
-    return bytes;
+    return _faces.Bytes() + BytesOf(_points) + BytesOf(_motion) + BytesOfTags(_tags);
 }
 
 }  // namespace cc

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/scene/faceVertices.h"
-#include "core/scene/moving.h"
+#include "core/scene/movingPoints.h"
 #include "core/scene/shape.h"
 #include "core/subdiv/controlMesh.h"
 #include "core/trace/surface.h"
@@ -23,7 +23,7 @@ class Mesh final : public Shape {
     void SetPoints(std::vector<Vec3f> points);
     /// Points that move (Moving). Poses that do not fit the mesh, or are not numbers, leave it at
     /// rest as it is at time 0.
-    void SetMovingPoints(Moving<std::vector<Vec3f>> points);
+    void SetMovingPoints(MovingPoints points);
     /// Makes one side of the mesh invisible to the camera. Both are shaded with the normal that
     /// faces the viewer.
     void SetCulled(CulledSide side);
@@ -45,6 +45,8 @@ class Mesh final : public Shape {
     Vec3f AuthoredNormal(const ShapePoint& at) const override;
 
   private:
+    const char* _KindName() const override { return "mesh"; }
+    void _WriteOwnText(TextWriter* out) const override;
     const char* _Is() const override { return "the mesh is"; }
     Geometry* _Geometry() override { return _surface.get(); }
     void _BuildGeometry(BuildReport* report) override;
@@ -80,7 +82,7 @@ class Mesh final : public Shape {
     /// True if the points in use are those of the surface, and _points is empty.
     bool _pointsAreInSurface = false;
     /// Kept while the points move.
-    Moving<std::vector<Vec3f>> _motion;
+    MovingPoints _motion;
 
     std::unique_ptr<Surface> _surface;
     bool _isSurfaceUsable = false;

@@ -25,6 +25,11 @@ class Placement {
     /// Puts the shape itself back. Returns true if there were instances.
     bool ClearInstances();
 
+    const Moving<AffineTransform>& Transform() const { return _objectToWorld; }
+    /// Null if the shape stands by itself.
+    const Moving<std::vector<AffineTransform>>* Instances() const {
+        return _instances ? &*_instances : nullptr;
+    }
     bool IsInstanced() const { return _instances.has_value(); }
     size_t Count() const { return _instances ? _instances->Poses()[0].size() : 1; }
     bool IsMoving() const {

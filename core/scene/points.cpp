@@ -29,8 +29,9 @@ Points::Points(std::string name) : Shape(std::move(name)) {}
 
 Points::~Points() = default;
 
-void Points::SetPoints(std::vector<Vec3f> points) {
-    _points = std::move(points);
+void Points::SetMovingPoints(MovingPoints points) {
+    _points = PointsAt(points, 0);
+    _motion = points.IsMoving() ? std::move(points) : MovingPoints();
     _pointsChanged = true;
 }
 
@@ -61,7 +62,7 @@ void Points::_BuildGeometry(BuildReport* report) {
     if (!_pointsChanged) {
         _RecallPoints();
     }
-    std::vector<Sphere> spheres = _MakeSpheres(report);
+    std::vector<Sphere> spheres = _MakeSpheres(_points, report);
     _points = {};
     _pointsChanged = _widthsChanged = false;
     if (_spheres && _spheres->PrimitiveCount() == spheres.size()) {
@@ -72,20 +73,47 @@ void Points::_BuildGeometry(BuildReport* report) {
         _spheres = std::make_unique<Spheres>(std::move(spheres));
         report->work = GeometryWork::Rebuilt;
     }
+    _BuildMotion(report);
     _isUsable = !_spheres->PrimitiveBvh().IsEmpty();
 }
 
+void Points::_BuildMotion(BuildReport* report) {
+    const std::string error = CheckPoses(_motion);
+    if (!error.empty()) {
+        report->lines.push_back(error + "; it is shown at rest");
+        _motion = {};
+    }
+    if (!_motion.IsMoving()) {
+        return;
+    }
+    std::vector<std::vector<Sphere>> poses;
+    BuildReport saidBefore;
+    for (const std::vector<Vec3f>& pose : _motion.Poses()) {
+        poses.push_back(_MakeSpheres(pose, &saidBefore));
+    }
+    _spheres->SetPoses(poses);
+}
+
+void Points::_Pose(float time) {
+    if (_motion.IsMoving()) {
+        BuildReport saidBefore;
+        _spheres->Pose(_MakeSpheres(PointsAt(_motion, time), &saidBefore));
+    }
+}
+
 void Points::_RecallPoints() {
+    _Pose(0);
     for (uint32_t i = 0; _spheres && i < _spheres->PrimitiveCount(); ++i) {
         _points.push_back(_spheres->At(i).center);
     }
 }
 
-std::vector<Sphere> Points::_MakeSpheres(BuildReport* report) const {
-    const bool hasPoints = !_points.empty();
+std::vector<Sphere> Points::_MakeSpheres(const std::vector<Vec3f>& points,
+                                         BuildReport* report) const {
+    const bool hasPoints = !points.empty();
     std::string error;
     if (hasPoints && !_widths.IsEmpty()) {
-        error = CheckPrimvarSize("widths", _widths, SizesOf(_points.size(), 0));
+        error = CheckPrimvarSize("widths", _widths, SizesOf(points.size(), 0));
         if (error.empty() && _widths.arity != 1) {
             error = "widths have " + std::to_string(_widths.arity) + " numbers a value, not 1";
         }
@@ -95,13 +123,13 @@ std::vector<Sphere> Points::_MakeSpheres(BuildReport* report) const {
     }
     const bool hasWidths = error.empty() && !_widths.IsEmpty();
     const bool isOneWidth = hasWidths && _widths.ElementCount() == 1;
-    std::vector<Sphere> spheres(_points.size());
+    std::vector<Sphere> spheres(points.size());
     size_t badPoints = 0, badWidths = 0;
-    for (size_t i = 0; i < _points.size(); ++i) {
+    for (size_t i = 0; i < points.size(); ++i) {
         const float width = hasWidths ? *_widths.Element(isOneWidth ? 0 : i) : kDefaultWidth;
-        const bool isPointBad = !IsUsable(_points[i]);
+        const bool isPointBad = !IsUsable(points[i]);
         const bool isWidthBad = !(width >= 0 && width <= kLargestCoordinate);
-        spheres[i] = {_points[i], isPointBad || isWidthBad ? 0 : width / 2};
+        spheres[i] = {points[i], isPointBad || isWidthBad ? 0 : width / 2};
         badPoints += isPointBad;
         badWidths += !isPointBad && isWidthBad;
     }
@@ -115,8 +143,8 @@ std::vector<Sphere> Points::_MakeSpheres(BuildReport* report) const {
 PrimvarSizes Points::_Sizes() const { return SizesOf(_spheres->PrimitiveCount(), _PlaceCount()); }
 
 size_t Points::_OwnBytes() const {
-    return _points.capacity() * sizeof(Vec3f) + _widths.values.capacity() * sizeof(float) +
-           _widths.indices.capacity() * sizeof(int);
+    return _points.capacity() * sizeof(Vec3f) + BytesOf(_motion) +
+           _widths.values.capacity() * sizeof(float) + _widths.indices.capacity() * sizeof(int);
 }
 
 }  // namespace cc

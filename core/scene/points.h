@@ -2,8 +2,10 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "core/scene/movingPoints.h"
 #include "core/scene/shape.h"
 #include "core/trace/spheres.h"
 
@@ -16,7 +18,9 @@ class Points final : public Shape {
     explicit Points(std::string name);
     ~Points() override;
 
-    void SetPoints(std::vector<Vec3f> points);
+    void SetPoints(std::vector<Vec3f> points) { SetMovingPoints(MovingPoints(std::move(points))); }
+    /// Points that move (Moving). If their number does, they rest as they are at time 0.
+    void SetMovingPoints(MovingPoints points);
     /// Diameters in object space: of one number, constant or one a point. Without any they are 1.
     void SetWidths(Primvar widths);
 
@@ -25,19 +29,26 @@ class Points final : public Shape {
     SurfaceValue Evaluate(const PrimvarField& primvar, const ShapePoint& at) const override;
 
   private:
+    const char* _KindName() const override { return "points"; }
+    void _WriteOwnText(TextWriter* out) const override;
     const char* _Is() const override { return "the points are"; }
     Geometry* _Geometry() override { return _spheres.get(); }
     void _BuildGeometry(BuildReport* report) override;
+    bool _GeometryMoves() const override { return _motion.IsMoving(); }
+    void _Pose(float time) override;
     PrimvarSizes _Sizes() const override;
     size_t _OwnBytes() const override;
 
     /// Takes the centres back that wait in the spheres.
     void _RecallPoints();
-    std::vector<Sphere> _MakeSpheres(BuildReport* report) const;
+    void _BuildMotion(BuildReport* report);
+    std::vector<Sphere> _MakeSpheres(const std::vector<Vec3f>& points, BuildReport* report) const;
 
     /// Wait here until they are built; then the spheres have them.
     std::vector<Vec3f> _points;
     bool _pointsChanged = false;
+    /// Kept while the points move.
+    MovingPoints _motion;
     Primvar _widths;
     bool _widthsChanged = false;
 

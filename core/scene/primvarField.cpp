@@ -192,6 +192,14 @@ bool PrimvarField::IsMadeOf(const Primvar& primvar) const {
            Elements(primvar) == _vertexValues.CageValues(*_patches);
 }
 
+Primvar PrimvarField::CopyPrimvar() const {
+    Primvar primvar = _primvar;
+    if (_patches) {
+        primvar.values = _vertexValues.CageValues(*_patches);
+    }
+    return primvar;
+}
+
 Primvar PrimvarField::TakePrimvar() {
     if (_patches) {
         _primvar.values = _vertexValues.CageValues(*_patches);

@@ -52,7 +52,9 @@ class PrimvarField {
 
     /// True if the field is made of just these values.
     bool IsMadeOf(const Primvar& primvar) const;
-    /// Gives the primvar back; the field is empty then. Indices of vertex primvars are resolved.
+    /// The primvar that the field is made of. Indices of vertex primvars are resolved.
+    Primvar CopyPrimvar() const;
+    /// Gives it back; the field is empty then.
     Primvar TakePrimvar();
 
     /// Memory held, in bytes.

@@ -52,6 +52,8 @@ class Scene {
     const InstanceBvh& Instances() const { return _instances; }
     /// False if the last Build did not tessellate, because memory does not hold what that takes.
     bool TessellationFits() const { return _tessellationFits; }
+    /// All shapes, by their names.
+    const std::vector<std::unique_ptr<Shape>>& Shapes() const { return _shapes; }
     /// The shapes that are seen.
     const std::vector<const Shape*>& ShownShapes() const { return _shown; }
     /// The shape of an instance, by the index that hits carry.

@@ -16,6 +16,8 @@
 
 namespace cc {
 
+class TextWriter;
+
 /// What a shape without displayColor looks like.
 constexpr Vec3f kDefaultDisplayColor{0.18f, 0.18f, 0.18f};
 
@@ -74,6 +76,9 @@ class Shape {
     /// The normal that the scene gives a point, in object space and of any length; zero if it gives
     /// none.
     virtual Vec3f AuthoredNormal(const ShapePoint&) const { return {}; }
+    /// Writes what the shape was handed as a block of text.
+    /// @param isShown  if the picture does not show the shape, it is only named
+    void WriteText(bool isShown, TextWriter* out) const;
     /// Linear RGB display colour at a point.
     Vec3f DisplayColor(const ShapePoint& at) const;
 
@@ -91,6 +96,10 @@ class Shape {
         std::vector<std::string> lines;
     };
 
+    /// The kind of shape, in a word.
+    virtual const char* _KindName() const = 0;
+    /// Writes what only this kind of shape is handed. The shape is shown.
+    virtual void _WriteOwnText(TextWriter* out) const = 0;
     /// The shape in the middle of a line, with its verb: "the mesh is".
     virtual const char* _Is() const = 0;
     /// The geometry, usable or not; null before there is one.

@@ -57,6 +57,12 @@ Box3f BoxOf(const CurveSegment& segment) {
     return box;
 }
 
+std::vector<Box3f> BoxesOf(const std::vector<CurveSegment>& segments) {
+    std::vector<Box3f> boxes(segments.size());
+    std::transform(segments.begin(), segments.end(), boxes.begin(), BoxOf);
+    return boxes;
+}
+
 /// A step from a piece to the curve: where on that a point is square to it.
 float NearestParameter(const CurveSegment& segment, float u, const Vec3f& point) {
     const Vec3f tangent = segment.DerivativeAt(u);
@@ -97,25 +103,40 @@ CurveSegments::CurveSegments(std::vector<CurveSegment> segments, std::vector<Rib
     : Geometry(GeometryKind::CurveSegments),
       _segments(std::move(segments)),
       _normals(std::move(normals)) {
-    _bvh = Bvh(_Cut());
+    _Cut(&_segments);
+    _bvh = Bvh(BoxesOf(_segments));
 }
 
 void CurveSegments::Move(std::vector<CurveSegment> segments, std::vector<RibbonNormals> normals) {
     _segments = std::move(segments);
     _normals = std::move(normals);
-    _bvh.Move(_Cut());
+    _Cut(&_segments);
+    _bvh.Move(BoxesOf(_segments));
 }
 
-std::vector<Box3f> CurveSegments::_Cut() {
+void CurveSegments::SetPoses(std::vector<std::vector<CurveSegment>> poses) {
     std::vector<Box3f> boxes(_segments.size());
-    for (size_t i = 0; i < _segments.size(); ++i) {
-        CurveSegment& segment = _segments[i];
+    for (std::vector<CurveSegment>& pose : poses) {
+        _Cut(&pose);
+        for (size_t i = 0; i < boxes.size(); ++i) {
+            boxes[i].Extend(BoxOf(pose[i]));
+        }
+    }
+    _bvh.Move(boxes);
+}
+
+void CurveSegments::Pose(std::vector<CurveSegment> segments) {
+    _segments = std::move(segments);
+    _Cut(&_segments);
+}
+
+void CurveSegments::_Cut(std::vector<CurveSegment>* segments) const {
+    for (size_t i = 0; i < segments->size(); ++i) {
+        CurveSegment& segment = (*segments)[i];
         const bool canBeHit = segment.pieces != 0 && LargestRadius(segment) > 0;
         const RibbonNormals* const normals = AreRibbons() ? &_normals[i] : nullptr;
         segment.pieces = canBeHit ? static_cast<uint8_t>(PieceCount(segment, normals)) : 0;
-        boxes[i] = BoxOf(segment);
     }
-    return boxes;
 }
 
 Vec3f CurveSegments::_TangentAt(uint32_t index, float u) const {

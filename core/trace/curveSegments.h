@@ -56,6 +56,12 @@ class CurveSegments final : public Geometry {
     /// Takes other segments, as many as before: the BVH follows them (Bvh::Move).
     void Move(std::vector<CurveSegment> segments, std::vector<RibbonNormals> normals);
 
+    /// Makes bounds hold for several poses of the segments, and for all that is between any two.
+    /// @param poses  each has as many segments as before, of the same radii
+    void SetPoses(std::vector<std::vector<CurveSegment>> poses);
+    /// Moves the segments to between two of the poses.
+    void Pose(std::vector<CurveSegment> segments);
+
     const CurveSegment& At(uint32_t segment) const { return _segments[segment]; }
     bool AreRibbons() const { return !_normals.empty(); }
     /// The unit direction of a ribbon's width at u, square to the curve; where two segments meet,
@@ -76,8 +82,8 @@ class CurveSegments final : public Geometry {
     bool _HasCorner(uint32_t segment) const;
     /// The direction that a ribbon faces, before it is made square to the curve.
     Vec3f _FacingAt(uint32_t segment, float u) const;
-    /// Cuts segments into pieces, and returns their boxes.
-    std::vector<Box3f> _Cut();
+    /// Finds into how many pieces segments are cut.
+    void _Cut(std::vector<CurveSegment>* segments) const;
 
     std::vector<CurveSegment> _segments;
     std::vector<RibbonNormals> _normals;

@@ -46,6 +46,16 @@ void Spheres::Move(std::vector<Sphere> spheres) {
     _bvh.Move(BoxesOf(_spheres));
 }
 
+void Spheres::SetPoses(const std::vector<std::vector<Sphere>>& poses) {
+    std::vector<Box3f> boxes(_spheres.size());
+    for (const std::vector<Sphere>& pose : poses) {
+        for (size_t i = 0; i < boxes.size(); ++i) {
+            boxes[i].Extend(BoxOf(pose[i]));
+        }
+    }
+    _bvh.Move(boxes);
+}
+
 GeometryPoint Spheres::PointAt(const GeometryHit& hit, const Instance&, const LevelMetric&) const {
     const Sphere& sphere = _spheres[hit.primitive];
     const double longitude = 2 * kPi * hit.u, angle = kPi * hit.v;

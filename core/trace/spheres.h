@@ -1,5 +1,6 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "core/trace/geometry.h"
@@ -20,6 +21,12 @@ class Spheres final : public Geometry {
 
     /// Takes other spheres, as many as before: the BVH follows them (Bvh::Move).
     void Move(std::vector<Sphere> spheres);
+
+    /// Makes bounds hold for several poses of the spheres, and for all that is between any two.
+    /// @param poses  each has as many spheres as before, of the same radii
+    void SetPoses(const std::vector<std::vector<Sphere>>& poses);
+    /// Moves the spheres to between two of the poses.
+    void Pose(std::vector<Sphere> spheres) { _spheres = std::move(spheres); }
 
     const Sphere& At(uint32_t sphere) const { return _spheres[sphere]; }
 

@@ -15,7 +15,7 @@ from hydra_kit import (
     assert_same,
     make_stage,
 )
-from pxr import Gf, Usd, UsdGeom
+from pxr import Gf, Usd, UsdGeom, UsdSkel
 
 SIZE = 40
 SAMPLES = 32
@@ -98,6 +98,85 @@ def test_points_blur_along_bends() -> None:
     # Half of the time on the way up, and as long on the way down.
     share = np.clip(y + 0.5, 0, 1) - np.clip(y - 0.5, 0, 1)
     assert np.abs(column - share).max() < TOLERANCE
+
+
+def test_point_prims_blur() -> None:
+    stage = make_moving_stage()
+    spheres = UsdGeom.Points.Define(stage, "/Points")
+    spheres.CreateWidthsAttr([1.0])
+    for frame in (10, 11):
+        spheres.CreatePointsAttr().Set([(frame - 10, 0, 0)], frame)
+    expect_slid(coverage(view(stage).render()), 1, 0, 1)
+
+
+def test_curves_blur() -> None:
+    stage = make_moving_stage()
+    curves = UsdGeom.BasisCurves.Define(stage, "/Curves")
+    curves.CreateTypeAttr("linear")
+    curves.CreateWidthsAttr([1.0])
+    curves.SetWidthsInterpolation("constant")
+    curves.CreateCurveVertexCountsAttr([2])
+    for frame in (10, 11):
+        x = frame - 10
+        curves.CreatePointsAttr().Set([(x, -1, 0), (x, 1, 0)], frame)
+    expect_slid(coverage(view(stage).render()), 1, 0, 1)
+
+
+def skin(stage: Usd.Stage, mesh: UsdGeom.Mesh) -> UsdSkel.Animation:
+    """Binds a mesh to one joint, and to a blend shape that moves it by 1 along x."""
+    UsdSkel.Root.Define(stage, "/Root")
+    skeleton = UsdSkel.Skeleton.Define(stage, "/Root/Skeleton")
+    skeleton.CreateJointsAttr(["joint"])
+    skeleton.CreateBindTransformsAttr([Gf.Matrix4d(1)])
+    skeleton.CreateRestTransformsAttr([Gf.Matrix4d(1)])
+    UsdSkel.BindingAPI.Apply(skeleton.GetPrim()).CreateAnimationSourceRel().SetTargets(
+        ["/Root/Animation"]
+    )
+    shape = UsdSkel.BlendShape.Define(stage, mesh.GetPath().AppendChild("shift"))
+    shape.CreateOffsetsAttr([(1, 0, 0)] * len(SQUARE))
+    binding = UsdSkel.BindingAPI.Apply(mesh.GetPrim())
+    binding.CreateSkeletonRel().SetTargets(["/Root/Skeleton"])
+    binding.CreateJointIndicesPrimvar(True, 1).Set([0])
+    binding.CreateJointWeightsPrimvar(True, 1).Set([1.0])
+    binding.CreateBlendShapesAttr(["shift"])
+    binding.CreateBlendShapeTargetsRel().SetTargets([shape.GetPath()])
+    animation = UsdSkel.Animation.Define(stage, "/Root/Animation")
+    animation.CreateJointsAttr(["joint"])
+    animation.CreateTranslationsAttr([(0, 0, 0)])
+    animation.CreateRotationsAttr([Gf.Quatf(1)])
+    animation.CreateScalesAttr([Gf.Vec3h(1)])
+    animation.CreateBlendShapesAttr(["shift"])
+    animation.CreateBlendShapeWeightsAttr([0.0])
+    return animation
+
+
+def test_skinned_points_blur() -> None:
+    stage = make_moving_stage()
+    animation = skin(stage, add_square(stage, "/Root/Square"))
+    for frame in (10, 11):
+        animation.GetTranslationsAttr().Set([(frame - 10, 0, 0)], frame)
+    seen = view(stage)
+    expect_slid(coverage(seen.render()), 1, 0, 1)
+    stage.GetPrimAtPath("/Camera").GetAttribute("shutter:close").Set(0.0)
+    assert is_sharp(coverage(seen.render()))
+
+
+def test_blend_shapes_blur() -> None:
+    stage = make_moving_stage()
+    animation = skin(stage, add_square(stage, "/Root/Square"))
+    for frame in (10, 11):
+        animation.GetBlendShapeWeightsAttr().Set([frame - 10.0], frame)
+    expect_slid(coverage(view(stage).render()), 1, 0, 1)
+
+
+def test_joints_and_blend_shapes_blur_together() -> None:
+    stage = make_moving_stage()
+    animation = skin(stage, add_square(stage, "/Root/Square"))
+    for frame, by in ((10, 0.0), (10.5, 0.25), (11, 0.5)):
+        animation.GetBlendShapeWeightsAttr().Set([by], frame)
+    for frame in (10, 11):
+        animation.GetTranslationsAttr().Set([(0.5 * (frame - 10), 0, 0)], frame)
+    expect_slid(coverage(view(stage).render()), 1, 0, 1)
 
 
 def test_a_camera_blurs() -> None:

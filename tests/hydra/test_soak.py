@@ -5,13 +5,27 @@
 makes more of them, and others. A failure names the seed.
 """
 
+import ctypes
+import gc
 import os
 import random
+import re
+import tempfile
 import time
 from collections.abc import Callable
+from pathlib import Path
 
 import pytest
-from hydra_kit import ALL_AOVS, View, add_cube, add_distant_light, add_grid, assert_same, make_stage
+from hydra_kit import (
+    ALL_AOVS,
+    Picture,
+    View,
+    add_cube,
+    add_distant_light,
+    add_grid,
+    assert_same,
+    make_stage,
+)
 from interactive_kit import converge, draw
 from pxr import Gf, Sdf, Usd, UsdGeom
 
@@ -19,6 +33,11 @@ EDITS = int(os.environ.get("HDCC_SOAK_EDITS", "400"))
 SEED = int(os.environ.get("HDCC_SOAK_SEED", "1"))
 AOVS = tuple(name for name in ALL_AOVS if name != "primId")  # which depend on the order of prims
 MOST_MESHES = 8
+#: Vectors keep some room after an edit.
+MOST_MEMORY = 1.5
+SPARE_BYTES = 10_000
+#: Allocators keep some room, too.
+MOST_GROWTH = 32 * 2**20
 
 
 class Soak:
@@ -247,17 +266,45 @@ class Soak:
         self.breathe()
 
     def check(self) -> None:
-        """The picture is that of an engine that sees the stage for the first time."""
+        """The picture, and what the core was handed for it, are those of an engine that sees the
+        stage for the first time, and so is the memory."""
         self.settings["samples"] = 3
         self.view.set("samples", 3)
         self.view.engine.SetRendererAov("color")
         self.view.engine.RestartRenderer()
-        picture = converge(self.view)
         fresh_view = View(self.view.stage, size=self.size, **self.settings)
         fresh_view.params.frame = self.view.params.frame
-        fresh = fresh_view.render()
+        with tempfile.TemporaryDirectory() as folder:
+            picture, text = dump(self.view, lambda: converge(self.view), Path(folder))
+            fresh, fresh_text = dump(fresh_view, fresh_view.render, Path(folder))
+        assert shown(text) == shown(fresh_text)
         assert_same(picture, fresh, AOVS)
         assert ((picture["primId"] >= 0) == (fresh["primId"] >= 0)).all()
+        assert memory(self.view) < memory(fresh_view) * MOST_MEMORY + SPARE_BYTES
+
+
+def dump(view: View, render: Callable[[], Picture], folder: Path) -> tuple[Picture, str]:
+    """A picture, and the scene that it shows as text."""
+    path = folder / "dump.txt"
+    view.set("dump", str(path))
+    picture = render()
+    view.set("dump", "")
+    return picture, path.read_text()
+
+
+def shown(dumped: str) -> list[str]:
+    """What is shown of a scene. OpenUSD names prototypes after an instance that it saw first."""
+    blocks = re.split(r"\n(?! )", dumped)
+    return sorted(
+        re.sub(r"</Native\d/", "</Native/", block)
+        for block in blocks
+        if "\n    shown false" not in block
+    )
+
+
+def memory(view: View) -> int:
+    """Bytes of structures."""
+    return int(view.engine.GetRenderStats()["totalMemory"])
 
 
 @pytest.mark.parametrize("part", range(4))
@@ -270,3 +317,26 @@ def test_edits_in_mid_frame(part: int) -> None:
         if i % 25 == 24:
             soak.check()
     soak.check()
+
+
+def resident_bytes() -> int:
+    pages = int(Path("/proc/self/statm").read_text().split()[1])
+    return pages * os.sysconf("SC_PAGE_SIZE")
+
+
+def test_memory_comes_back() -> None:
+    """Of a stage that was edited at length and emptied, the next one needs no more."""
+    after = []
+    for _ in range(4):
+        soak = Soak(4 * SEED)
+        for _ in range(EDITS // 8):
+            soak.step()
+        for path in soak.meshes:
+            soak.view.stage.RemovePrim(path)
+        soak.check()
+        del soak
+        gc.collect()
+        # What was freed, and is only kept for the next time.
+        ctypes.CDLL("libc.so.6").malloc_trim(0)
+        after.append(resident_bytes())
+    assert after[-1] < after[1] + MOST_GROWTH, after

@@ -39,12 +39,15 @@ def abi(_: Settings) -> Outcome:
 
 
 def update_baselines() -> int:
-    """Renders the baselines of the image tests anew. Returns the exit code."""
+    """Makes baselines of pictures and dumps of scenes anew. Returns the exit code."""
     sdk.ensure()
-    finished = build.usd_runtime().run(
+    pictures = build.usd_runtime().run(
         "-m", "pytest", str(TESTS / "images"), "--update-baselines", cwd=ROOT
     )
-    return finished.returncode
+    runtime = build.plugin_runtime()
+    runtime.environment["HDCC_UPDATE_DUMPS"] = "1"
+    dumps = runtime.run("-m", "pytest", str(TESTS / "hydra" / "test_dump.py"), cwd=ROOT)
+    return pictures.returncode or dumps.returncode
 
 
 def _pytest(suite: str, runtime: build.Runtime) -> Outcome:

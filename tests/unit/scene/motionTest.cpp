@@ -112,6 +112,103 @@ INSTANTIATE_TEST_SUITE_P(Motion, MovingCage,
                                          WithScheme(Cube(), Scheme::Bilinear, "bilinear")),
                          [](const auto& info) { return "cage" + std::to_string(info.index); });
 
+/// Points of random curves or spheres, a unit or so apart.
+Points RandomPoints(int count, std::mt19937* random) {
+    std::uniform_real_distribution<float> unit(-1, 1);
+    Points points;
+    for (int i = 0; i < count; ++i) {
+        points.push_back({unit(*random), unit(*random), unit(*random)});
+    }
+    return points;
+}
+
+const Primvar kWidths{Interpolation::Constant, 1, {0.2f}, {}};
+
+cc::Points* AddSpheres(Scene* scene) {
+    cc::Points* const spheres = scene->AddPoints("/spheres");
+    spheres->SetWidths(kWidths);
+    return spheres;
+}
+
+Curves* AddTubes(Scene* scene) {
+    Curves* const tubes = scene->AddCurves("/tubes");
+    tubes->SetTopology({CurveBasis::CatmullRom, CurveWrap::Pinned, {6, 6, 6, 6}});
+    tubes->SetWidths(kWidths);
+    return tubes;
+}
+
+/// Expects a shape whose points move to be hit as one whose points rest where they are then.
+template <class Shape>
+void ExpectMotionOfPoints(Shape* (*add)(Scene*), std::mt19937* random) {
+    const Points begin = RandomPoints(24, random), end = Bent(begin, 1.5f);
+    Scene moving;
+    add(&moving)->SetMovingPoints({{0, 1}, {begin, end}});
+    ASSERT_TRUE(moving.Build({"geometry"}).empty());
+    EXPECT_TRUE(moving.IsMoving());
+    int hits = 0;
+    for (const float time : {0.0f, 0.25f, 1.0f, 0.5f}) {
+        Scene rest;
+        add(&rest)->SetPoints(Between(begin, end, time));
+        ASSERT_TRUE(rest.Build({"geometry"}).empty());
+        moving.SetTime(time);
+        hits += ExpectSameHits(moving, rest, 3, random);
+    }
+    EXPECT_GT(hits, 100);
+}
+
+TEST(Motion, OfSpheresIsThatOfTheirCentres) {
+    std::mt19937 random(7);
+    ExpectMotionOfPoints(AddSpheres, &random);
+}
+
+TEST(Motion, OfCurvesIsThatOfTheirPoints) {
+    std::mt19937 random(8);
+    ExpectMotionOfPoints(AddTubes, &random);
+}
+
+TEST(Motion, OfSpheresOutlivesAnEditOfWidths) {
+    std::mt19937 random(9);
+    const Points begin = RandomPoints(24, &random), end = Bent(begin, 1);
+    Scene moving, rest;
+    cc::Points* const spheres = AddSpheres(&moving);
+    spheres->SetMovingPoints({{0, 1}, {begin, end}});
+    moving.Build({"geometry"});
+    moving.SetTime(1);
+    const Primvar wide{Interpolation::Constant, 1, {0.5f}, {}};
+    spheres->SetWidths(wide);
+    moving.Build({"geometry"});
+    cc::Points* const resting = rest.AddPoints("/spheres");
+    resting->SetWidths(wide);
+    resting->SetPoints(begin);
+    rest.Build({"geometry"});
+    EXPECT_GT(ExpectSameHits(moving, rest, 3, &random), 100);
+    moving.SetTime(0.5f);
+    resting->SetPoints(Between(begin, end, 0.5));
+    rest.Build({"geometry"});
+    EXPECT_GT(ExpectSameHits(moving, rest, 3, &random), 100);
+}
+
+template <class Shape>
+void ExpectRestWithAWarning(Shape* (*add)(Scene*), std::mt19937* random) {
+    const Points points = RandomPoints(24, random);
+    Scene scene;
+    add(&scene)->SetMovingPoints({{0, 1}, {points, Points(3)}});
+    const std::vector<std::string> lines = scene.Build({"geometry"});
+    ASSERT_EQ(lines.size(), 1u);
+    EXPECT_NE(lines[0].find(": pose 1 of its motion has 3 points, and the first 24; it is shown "
+                            "at rest"),
+              std::string::npos)
+        << lines[0];
+    EXPECT_FALSE(scene.IsMoving());
+    EXPECT_TRUE(scene.Build({"geometry"}).empty());
+}
+
+TEST(Motion, OfAnotherNumberOfSpheresOrCurvePointsIsNone) {
+    std::mt19937 random(10);
+    ExpectRestWithAWarning(AddSpheres, &random);
+    ExpectRestWithAWarning(AddTubes, &random);
+}
+
 TEST(Motion, OfPlacesIsThatOfTheirNumbers) {
     const std::vector<AffineTransform> own = {Turned(0, 0, 0), Turned(0.7, 1, 0)};
     const std::vector<std::vector<AffineTransform>> places = {
