@@ -24,14 +24,19 @@ def test_baseline(scene: Path, update_baselines: bool) -> None:
     baseline = BASELINES / f"{name_of(scene)}.exr"
     if update_baselines:
         BASELINES.mkdir(exist_ok=True)
-        render(scene, baseline)
+        _record(scene, baseline)
         return
     assert baseline.is_file(), "no baseline; tools/test --update-baselines makes it: look at it"
     MADE.mkdir(parents=True, exist_ok=True)
     made = MADE / baseline.name
-    render(scene, made)
+    _record(scene, made)
     found = differences(compared(scene, made), compared(scene, baseline))
     assert not found, "\n".join([*found, f"see {made} and {baseline}"])
+
+
+def _record(scene: Path, picture: Path) -> None:
+    finished = record(scene, picture)
+    assert finished.returncode == 0, finished.stderr
 
 
 @pytest.mark.parametrize("scene", SCENES, ids=name_of)

@@ -28,7 +28,7 @@ def main() -> int:
     values = json.load(sys.stdin)
     values["settings"] = [tuple(setting) for setting in values["settings"]]
     try:
-        _record(RecordOptions(**values))
+        record(RecordOptions(**values))
     except CommandError as failure:
         error(str(failure))
         return failure.exit_code
@@ -39,7 +39,8 @@ def main() -> int:
     return 0
 
 
-def _record(options: RecordOptions) -> None:
+def record(options: RecordOptions) -> None:
+    """Renders all frames; raises CommandError if one fails."""
     stage = open_stage(options)
     settings = find_settings_prim(options, stage)
     _take_purposes(options, settings)

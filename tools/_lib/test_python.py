@@ -25,7 +25,7 @@ def commands(_: Settings) -> Outcome:
 
 def images(_: Settings) -> Outcome:
     """Pictures against baselines."""
-    return _pytest("images", build.usd_runtime(quiet=True))
+    return _pytest("images", build.plugin_runtime(quiet=True))
 
 
 def scenes(_: Settings) -> Outcome:
@@ -41,10 +41,8 @@ def abi(_: Settings) -> Outcome:
 def update_baselines() -> int:
     """Makes baselines of pictures and dumps of scenes anew. Returns the exit code."""
     sdk.ensure()
-    pictures = build.usd_runtime().run(
-        "-m", "pytest", str(TESTS / "images"), "--update-baselines", cwd=ROOT
-    )
     runtime = build.plugin_runtime()
+    pictures = runtime.run("-m", "pytest", str(TESTS / "images"), "--update-baselines", cwd=ROOT)
     runtime.environment["HDCC_UPDATE_DUMPS"] = "1"
     dumps = runtime.run("-m", "pytest", str(TESTS / "hydra" / "test_dump.py"), cwd=ROOT)
     return pictures.returncode or dumps.returncode
