@@ -196,7 +196,9 @@ def _rows_of(run, scene: Path, suite: str, *options: object) -> list[dict]:
 
 def test_watertight(run, tmp_path: Path) -> None:
     rows_file = tmp_path / "rows.json"
-    result = run("bench", "watertight", "--rays", "40000", "--level", "3", "--json", rows_file)
+    result = run(
+        "bench", "watertight", "--quick", "--rays", "40000", "--level", "3", "--json", rows_file
+    )
     assert result.returncode == 0, result.stderr
     rows = json.loads(rows_file.read_text())
     tracers = ["packet", "single", "adaptive", "adaptive single"]
