@@ -11,6 +11,7 @@
 #include "hdCC/light.h"
 #include "hdCC/mesh.h"
 #include "hdCC/passiveSprims.h"
+#include "hdCC/pickCommand.h"
 #include "hdCC/points.h"
 #include "hdCC/renderBuffer.h"
 #include "hdCC/renderPass.h"
@@ -152,17 +153,23 @@ VtDictionary HdCCRenderDelegate::GetRenderStats() const {
     stats["percentDone"] = VtValue(100 * fraction);
     stats["pixelsDone"] = VtValue(int64_t(fraction * double(pixels)));
     stats["pixelsTotal"] = VtValue(pixels);
+    stats["pick"] = VtValue(_param.GetPicked());
     return stats;
 }
 
 HdCommandDescriptors HdCCRenderDelegate::GetCommandDescriptors() const {
-    return {HdCCWriteCommandDescriptor()};
+    return {HdCCWriteCommandDescriptor(), HdCCPickCommandDescriptor()};
 }
 
 bool HdCCRenderDelegate::InvokeCommand(TfToken const &command, HdCommandArgs const &args) {
-    const std::string error = command == "write"
-                                  ? HdCCWriteFrame(_param.GetFrame().get(), args)
-                                  : "there is no renderer command " + command.GetString();
+    std::string error;
+    if (command == "write") {
+        error = HdCCWriteFrame(_param.GetFrame().get(), args);
+    } else if (command == "pick") {
+        error = HdCCPick(&_param, args);
+    } else {
+        error = "there is no renderer command " + command.GetString();
+    }
     if (!error.empty()) {
         TF_RUNTIME_ERROR("%s", error.c_str());
     }

@@ -54,6 +54,14 @@ void HdCCRenderParam::RemoveShape(HdCCShapeSync *shape) {
     _shapes.erase(shape);
 }
 
+SdfPath HdCCRenderParam::FindPrim(int primId) const {
+    const std::lock_guard<std::mutex> lock(_mutex);
+    const auto found = std::find_if(_shapes.begin(), _shapes.end(), [&](HdCCShapeSync *shape) {
+        return shape->GetShape()->PrimId() == primId;
+    });
+    return primId < 0 || found == _shapes.end() ? SdfPath() : (*found)->GetId();
+}
+
 void HdCCRenderParam::AskForPrimvar(TfToken const &name) {
     std::set<HdCCShapeSync *> shapes;
     {
@@ -99,6 +107,16 @@ HdCCShutter HdCCRenderParam::GetShutter() const {
 std::shared_ptr<const HdCCFrame> HdCCRenderParam::GetFrame() const {
     const std::lock_guard<std::mutex> lock(_mutex);
     return _frame;
+}
+
+VtDictionary HdCCRenderParam::GetPicked() const {
+    const std::lock_guard<std::mutex> lock(_mutex);
+    return _picked;
+}
+
+void HdCCRenderParam::SetPicked(VtDictionary const &picked) {
+    const std::lock_guard<std::mutex> lock(_mutex);
+    _picked = picked;
 }
 
 void HdCCRenderParam::SetFrame(std::shared_ptr<const HdCCFrame> frame) {

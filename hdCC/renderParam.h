@@ -13,8 +13,10 @@
 #include "core/scene/scene.h"
 
 #include "pxr/base/tf/token.h"
+#include "pxr/base/vt/dictionary.h"
 #include "pxr/imaging/hd/renderDelegate.h"
 #include "pxr/pxr.h"
+#include "pxr/usd/sdf/path.h"
 
 #include "hdCC/renderThread.h"
 #include "hdCC/shutter.h"
@@ -64,6 +66,8 @@ class HdCCRenderParam final : public HdRenderParam {
     /// Shapes come and go with their prims; any thread may call.
     void AddShape(HdCCShapeSync *shape);
     void RemoveShape(HdCCShapeSync *shape);
+    /// The prim of a shape, by the id that the AOV primId shows; empty if there is none.
+    SdfPath FindPrim(int primId) const;
     /// Has all shapes sync a primvar from now on, those at once that have been synced already.
     /// Primvars that nobody asks for are left where they are.
     void AskForPrimvar(TfToken const &name);
@@ -84,6 +88,10 @@ class HdCCRenderParam final : public HdRenderParam {
     std::shared_ptr<const HdCCFrame> GetFrame() const;
     void SetFrame(std::shared_ptr<const HdCCFrame> frame);
 
+    /// What the last command "pick" found.
+    VtDictionary GetPicked() const;
+    void SetPicked(VtDictionary const &picked);
+
     /// Pixels of the frame that renders, or of the last one, and samples done and to do.
     std::atomic<int64_t> pixels{0}, samplesDone{0}, samplesTotal{0};
 
@@ -99,6 +107,7 @@ class HdCCRenderParam final : public HdRenderParam {
     TfTokenVector _primvars;
     HdCCShutter _shutter;
     std::shared_ptr<const HdCCFrame> _frame;
+    VtDictionary _picked;
     /// The last member: it ends first, as it reads the others.
     HdCCRenderThread _renderThread;
 };

@@ -43,6 +43,7 @@ class HdCCShapeSync {
     /// Syncs what moves, when another shutter is asked for after the prim was synced.
     void SyncLateMotion();
 
+    SdfPath const &GetId() const { return _id; }
     cc::Shape *GetShape() const { return _shape; }
     HdCCRenderParam *GetParam() const { return _param; }
 

@@ -172,8 +172,9 @@ def test_bad_render_settings_prim_warns(warnings: Any) -> None:
 
 
 def test_write_command_is_described() -> None:
-    (command,) = make_engine().GetRendererCommandDescriptors()
+    command, other = make_engine().GetRendererCommandDescriptors()
     assert command.commandName == "write"
+    assert other.commandName == "pick"
 
 
 def test_write_says_what_went_wrong(tmp_path: Path) -> None:

@@ -27,85 +27,105 @@ double SolidAngle(const Vector& a, const Vector& b, const Vector& c) {
     return 2 * std::atan2(Dot(a, Cross(b, c)), below);
 }
 
-/// A patch's limit points relative to a point, at parameters i / n.
-class RelativeGrid {
-  public:
-    RelativeGrid(const Surface& surface, uint32_t patch, int n, const Vec3f& origin)
-        : _n(n), _points((n + 1) * (n + 1)) {
-        const bool isTriangle = surface.Patches().IsTriangle(patch);
-        for (int i = 0; i <= n; ++i) {
-            for (int j = 0; j <= (isTriangle ? n - i : n); ++j) {
-                const float scale = 1 / static_cast<float>(n);
-                const Vec3f p =
-                    EvaluateLimit(surface.Patches(), patch, surface.PatchPoints().data(),
-                                  scale * static_cast<float>(j), scale * static_cast<float>(i))
-                        .position;
-                for (int axis = 0; axis < 3; ++axis) {
-                    _points[i * (n + 1) + j][axis] = double(p[axis]) - origin[axis];
-                }
-            }
-        }
-    }
-    const Vector& At(int i, int j) const { return _points[i * (_n + 1) + j]; }
-
-  private:
-    const int _n;
-    std::vector<Vector> _points;
-};
-
-double SolidAngleOfTriangularPatch(const RelativeGrid& grid, int n) {
-    double sum = 0;
-    for (int i = 0; i < n; ++i) {
-        for (int j = 0; j < n - i; ++j) {
-            const Vector &b = grid.At(i, j + 1), &d = grid.At(i + 1, j);
-            sum += SolidAngle(grid.At(i, j), b, d);
-            if (i + j + 1 < n) {
-                sum += SolidAngle(b, grid.At(i + 1, j + 1), d);
-            }
-        }
-    }
-    return sum;
-}
-
-double SolidAngleOfPatch(const Surface& surface, uint32_t patch, const PatchLevels& levels,
-                         const Vec3f& origin) {
-    const int n = 1 << (levels.Finest() - surface.Patches().At(patch).depth);
-    const RelativeGrid grid(surface, patch, n, origin);
-    if (surface.Patches().IsTriangle(patch)) {
-        return SolidAngleOfTriangularPatch(grid, n);
-    }
-    const GridStitch stitch(levels, {0, 0, 1}, n, false);
-    const auto at = [&](int row, int column) {
-        stitch.Move(&column, &row);
-        return grid.At(row, column);
-    };
-    double sum = 0;
-    for (int i = 0; i < n; ++i) {
-        for (int j = 0; j < n; ++j) {
-            // Cut as tracers cut quads.
-            const Vector a = at(i, j), c = at(i + 1, j + 1);
-            sum += SolidAngle(a, at(i, j + 1), c) + SolidAngle(a, c, at(i + 1, j));
-        }
-    }
-    return sum;
+Vector From(const Vec3f& origin, const Vec3f& p) {
+    return {double(p.x) - origin.x, double(p.y) - origin.y, double(p.z) - origin.z};
 }
 
 }  // namespace
 
-double WindingNumber(const Surface& surface, const InstanceLevels& levels, const Vec3f& point) {
-    double sum = 0;
+/// The limit points of a patch at parameters i / n, and how they are stitched.
+class CutSurface::Patch {
+  public:
+    Patch(const Surface& surface, uint32_t patch, const PatchLevels& levels)
+        : _isTriangle(surface.Patches().IsTriangle(patch)),
+          _n(1 << (levels.Finest() - surface.Patches().At(patch).depth)),
+          _points((_n + 1) * (_n + 1)) {
+        for (int i = 0; i <= _n; ++i) {
+            for (int j = 0; j <= (_isTriangle ? _n - i : _n); ++j) {
+                const float scale = 1 / static_cast<float>(_n);
+                _points[i * (_n + 1) + j] =
+                    EvaluateLimit(surface.Patches(), patch, surface.PatchPoints().data(),
+                                  scale * static_cast<float>(j), scale * static_cast<float>(i))
+                        .position;
+            }
+        }
+        if (!_isTriangle) {
+            _Stitch(levels);
+        }
+    }
+
+    double SolidAngleFrom(const Vec3f& origin) const {
+        return _isTriangle ? _OfTriangle(origin) : _OfQuad(origin);
+    }
+
+  private:
+    void _Stitch(const PatchLevels& levels) {
+        const GridStitch stitch(levels, {0, 0, 1}, _n, false);
+        const std::vector<Vec3f> points = _points;
+        for (int i = 0; i <= _n; ++i) {
+            for (int j = 0; j <= _n; ++j) {
+                int row = i, column = j;
+                stitch.Move(&column, &row);
+                _points[i * (_n + 1) + j] = points[row * (_n + 1) + column];
+            }
+        }
+    }
+
+    double _OfTriangle(const Vec3f& origin) const {
+        double sum = 0;
+        for (int i = 0; i < _n; ++i) {
+            for (int j = 0; j < _n - i; ++j) {
+                const Vector b = _At(origin, i, j + 1), d = _At(origin, i + 1, j);
+                sum += SolidAngle(_At(origin, i, j), b, d);
+                if (i + j + 1 < _n) {
+                    sum += SolidAngle(b, _At(origin, i + 1, j + 1), d);
+                }
+            }
+        }
+        return sum;
+    }
+
+    double _OfQuad(const Vec3f& origin) const {
+        double sum = 0;
+        for (int i = 0; i < _n; ++i) {
+            for (int j = 0; j < _n; ++j) {
+                // Cut as tracers cut quads.
+                const Vector a = _At(origin, i, j), c = _At(origin, i + 1, j + 1);
+                sum += SolidAngle(a, _At(origin, i, j + 1), c) +
+                       SolidAngle(a, c, _At(origin, i + 1, j));
+            }
+        }
+        return sum;
+    }
+
+    Vector _At(const Vec3f& origin, int i, int j) const {
+        return From(origin, _points[i * (_n + 1) + j]);
+    }
+
+    const bool _isTriangle;
+    const int _n;
+    std::vector<Vec3f> _points;
+};
+
+CutSurface::CutSurface(const Surface& surface, const InstanceLevels& levels) {
     for (uint32_t patch = 0; patch < surface.Patches().Count(); ++patch) {
-        sum += SolidAngleOfPatch(surface, patch, levels.Of(patch), point);
+        _patches.push_back(std::make_shared<Patch>(surface, patch, levels.Of(patch)));
+    }
+}
+
+double CutSurface::WindingNumber(const Vec3f& point) const {
+    double sum = 0;
+    for (const auto& patch : _patches) {
+        sum += patch->SolidAngleFrom(point);
     }
     return sum / kFullSphere;
 }
 
-bool IsEnclosed(const Surface& surface, const InstanceLevels& levels, const Vec3f& point,
-                float rounding) {
+bool CutSurface::Encloses(const Vec3f& point, float rounding) const {
     for (int i = 0; i < 6; ++i) {
         Vec3f beside = point;
         beside[i / 2] += i % 2 == 0 ? rounding : -rounding;
-        if (std::fabs(WindingNumber(surface, levels, beside)) < 0.9) {
+        if (std::fabs(WindingNumber(beside)) < 0.9) {
             return false;
         }
     }
@@ -115,6 +135,7 @@ bool IsEnclosed(const Surface& surface, const InstanceLevels& levels, const Vec3
 std::vector<Vec3f> EnclosedPoints(const Surface& surface, const InstanceLevels& levels, size_t most,
                                   std::mt19937* random) {
     constexpr int kTries = 12;
+    const CutSurface cut(surface, levels);
     std::vector<Vec3f> found;
     std::uniform_int_distribution<uint32_t> anyPatch(
         0, static_cast<uint32_t>(surface.Patches().Count()) - 1);
@@ -126,7 +147,7 @@ std::vector<Vec3f> EnclosedPoints(const Surface& surface, const InstanceLevels& 
                           unit(*random), unit(*random));
         for (const float side : {-1.0f, 1.0f}) {
             const Vec3f point = at.position + at.normal * (side * depth(*random) * diagonal);
-            if (std::fabs(WindingNumber(surface, levels, point)) > 0.9) {
+            if (std::fabs(cut.WindingNumber(point)) > 0.9) {
                 found.push_back(point);
                 break;
             }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <random>
 #include <vector>
 
@@ -8,15 +9,22 @@
 
 namespace cc::test {
 
-/// How often a surface, cut into quads as the levels say and stitched where they differ, winds
-/// around a point: the solid angles of its triangles, as parts of the sphere. From a point where
-/// this is not zero, every way out leads through the surface.
-double WindingNumber(const Surface& surface, const InstanceLevels& levels, const Vec3f& point);
+/// A surface that is cut into quads as levels say, and stitched where they differ.
+class CutSurface {
+  public:
+    CutSurface(const Surface& surface, const InstanceLevels& levels);
 
-/// True if a surface winds around a point, and around those that rounding may take for it.
-/// @param rounding  how far away those are
-bool IsEnclosed(const Surface& surface, const InstanceLevels& levels, const Vec3f& point,
-                float rounding);
+    /// How often it winds around a point: the solid angles of its triangles, as parts of the
+    /// sphere. From a point where this is not zero, every way out leads through the surface.
+    double WindingNumber(const Vec3f& point) const;
+    /// True if it winds around a point, and around those that rounding may take for it.
+    /// @param rounding  how far away those are
+    bool Encloses(const Vec3f& point, float rounding) const;
+
+  private:
+    class Patch;
+    std::vector<std::shared_ptr<const Patch>> _patches;
+};
 
 /// Points well inside a closed surface, as many as were found, at most `most`.
 std::vector<Vec3f> EnclosedPoints(const Surface& surface, const InstanceLevels& levels, size_t most,

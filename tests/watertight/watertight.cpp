@@ -50,12 +50,13 @@ class PlacedCage {
     const InstanceBvh& World() const { return _world; }
     const Surface& GetSurface() const { return *_surface; }
     Vec3f ToWorld(const Vec3f& p) const { return _world.Instances()[0].objectToWorld.Point(p); }
-    /// True if every ray that passes a point of the surface's space, as the world knows it, must
-    /// hit.
-    bool Encloses(const Vec3f& point, const LevelMetric& metric) const {
-        return IsEnclosed(*_surface, InstanceLevels(metric, _world.Instances()[0]), point,
-                          _rounding);
+    /// The surface, cut as the world knows it.
+    CutSurface Cut(const LevelMetric& metric) const {
+        return {*_surface, InstanceLevels(metric, _world.Instances()[0])};
     }
+    /// How far points of the world may be rounded, in the surface's space: a ray must hit that
+    /// passes a point which is enclosed by so much.
+    float Rounding() const { return _rounding; }
     /// Where a point of the cage, as it was before it was placed, is in the surface's space.
     Vec3f Place(const Vec3f& p) const {
         const float offset = _placement.offset;
@@ -66,7 +67,7 @@ class PlacedCage {
     const Placement _placement;
     std::unique_ptr<Surface> _surface;
     InstanceBvh _world;
-    float _rounding = 0;  ///< of points of the world, in the surface's space
+    float _rounding = 0;
 };
 
 /// Points of a surface that rays like to slip through at.
@@ -178,14 +179,16 @@ std::string Describe(const Cage& cage, const RayPacket& rays, int i, const char*
 /// @param candidates  points of the cage before it was placed
 std::vector<Vec3f> PlacedPoints(const PlacedCage& cage, const std::vector<Vec3f>& candidates,
                                 int level, bool isAdaptive) {
+    std::vector<CutSurface> cuts;
+    for (int least = isAdaptive ? 0 : level; least <= level && least < kInsideLevel; ++least) {
+        cuts.push_back(cage.Cut(least));
+    }
     std::vector<Vec3f> placed;
     for (const Vec3f& candidate : candidates) {
         const Vec3f point = cage.Place(candidate);
-        bool isInside = true;
-        for (int least = isAdaptive ? 0 : level; least <= level && least < kInsideLevel; ++least) {
-            isInside = isInside && cage.Encloses(point, least);
-        }
-        if (isInside) {
+        if (std::all_of(cuts.begin(), cuts.end(), [&](const CutSurface& cut) {
+                return cut.Encloses(point, cage.Rounding());
+            })) {
             placed.push_back(point);
         }
     }
@@ -270,7 +273,7 @@ void CountInCage(const Cage& source, const PlacedCage& cage, const std::vector<V
         const uint64_t escapes = Escapes(*tracer, cage, rays, anyHit, &grids);
         count->rays += static_cast<uint64_t>(rays.count);
         // Level by level the inside is a little different: what counts is that of these.
-        if (escapes != 0 && cage.Encloses(point, levels.Metric())) {
+        if (escapes != 0 && cage.Cut(levels.Metric()).Encloses(point, cage.Rounding())) {
             count->escapes += static_cast<uint64_t>(__builtin_popcountll(escapes));
             if (count->firstEscape.empty()) {
                 count->firstEscape = Describe(source, rays, __builtin_ctzll(escapes),

@@ -64,7 +64,7 @@ TEST_P(TracerAgreementTest, ReferencesHitWhatPacketsHit) {
     TraceStatistics statistics;
     int hitCount = 0;
     for (const Vec3f& from : directions) {
-        for (int n = 0; n < 3; ++n) {
+        for (int n = 0; n < Repeats(3); ++n) {
             const RayPacket rays = CameraPacket(traced.surface->Bounds(), from, 0.3f, &random);
             RayPacket nearest = rays;
             HitPacket hits;
