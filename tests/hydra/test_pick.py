@@ -70,7 +70,7 @@ def test_an_edit_is_seen() -> None:
         (32, 0, IDS, "no pixel 32, 0 in a frame of 32 x 32"),
         (0, -1, IDS, "no pixel 0, -1"),
         ("left", 0, IDS, "x and y must be whole numbers"),
-        (0, 0, ("color",), "'primId' is not in the last frame"),
+        (0, 0, ("color",), "' is not in the last frame"),
     ],
 )
 def test_refusals(x: Any, y: Any, aovs: tuple[str, ...], named: str) -> None:

@@ -25,6 +25,7 @@ DEFAULTS = {
     "hdcc:seed": 0,
     "hdcc:threads": 0,
     "hdcc:aovs": "",
+    "hdcc:dump": "",
 }
 
 
