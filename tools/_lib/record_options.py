@@ -213,7 +213,7 @@ def _add_render_options(parser: argparse.ArgumentParser) -> None:
         "--set",
         metavar="KEY=VALUE",
         action="append",
-        type=_setting,
+        type=setting_pair,
         default=[],
         help="a render setting, such as hdcc:level=5; may be repeated",
     )
@@ -288,10 +288,15 @@ def _check_files(options: RecordOptions) -> None:
 
 def _check_aovs(options: RecordOptions) -> None:
     for name in options.aovs:
-        if name not in AOVS and not _PRIMVAR_AOV.fullmatch(name):
-            raise CommandError(f"unknown AOV '{name}' (known: {' '.join(AOVS)})", 2)
+        check_aov(name)
     if options.aovs and not pictures.is_layered(options.picture):
         raise CommandError(f"--aov needs an EXR; {options.picture} holds color only", 2)
+
+
+def check_aov(name: str) -> None:
+    """Refuses what is no AOV of hdCC."""
+    if name not in AOVS and not _PRIMVAR_AOV.fullmatch(name):
+        raise CommandError(f"unknown AOV '{name}' (known: {' '.join(AOVS)})", 2)
 
 
 def _check_other_renderer(options: RecordOptions) -> None:
@@ -333,7 +338,8 @@ def _frames(text: str) -> str:
     return text
 
 
-def _setting(text: str) -> tuple[str, str]:
+def setting_pair(text: str) -> tuple[str, str]:
+    """A render setting and its value, written KEY=VALUE."""
     key, equals, value = text.partition("=")
     if not key or not equals:
         raise argparse.ArgumentTypeError(f"'{text}' is not of the form KEY=VALUE")

@@ -4,16 +4,13 @@ import time
 from pathlib import Path
 from typing import Any, Protocol
 
-from pxr import CameraUtil, Gf, Glf, Sdf, Tf, Usd, UsdAppUtils, UsdGeom, UsdImagingGL, UsdRender
+from pxr import Gf, Sdf, Tf, Usd, UsdAppUtils, UsdGeom, UsdImagingGL, UsdRender
 
-from . import render_settings, render_stats
+from . import engine, render_settings, render_stats
 from .console import CommandError, error
 from .products import Product
-from .record_options import COMPLEXITIES, RENDERER, RENDERER_PLUGIN, RecordOptions
-from .stage import Framing, View
-
-_SCENE_AMBIENT = Gf.Vec4f(0.01, 0.01, 0.01, 1)
-_COMPLEXITY_VALUES = dict(zip(COMPLEXITIES, (1.0, 1.1, 1.2, 1.3), strict=True))
+from .record_options import RENDERER, RENDERER_PLUGIN, RecordOptions
+from .stage import View
 
 
 class Recorder(Protocol):
@@ -52,7 +49,7 @@ class EngineRecorder:
 
     def __init__(self, options: RecordOptions, settings: UsdRender.Settings | None) -> None:
         self._options = options
-        self._engine = _make_engine()
+        self._engine = engine.make_engine()
         self._engine.SetRendererSetting("enableInteractive", False)
         self._engine.SetRendererSetting("domeLightCameraVisibility", options.dome_light_visible)
         if options.render_pass:
@@ -98,9 +95,9 @@ class EngineRecorder:
         )
 
     def _render_view(self, stage: Usd.Stage, view: View, when: Usd.TimeCode) -> None:
-        self._set_view(view)
-        self._set_lights(view.camera)
-        self._render(stage.GetPseudoRoot(), self._render_params(when))
+        engine.show_view(self._engine, view)
+        engine.set_camera_light(self._engine, view.camera, self._options.camera_light)
+        self._render(stage.GetPseudoRoot(), engine.render_params(when, self._options))
 
     def fraction_done(self) -> float:
         """How much of the current frame is done. May be asked from another thread."""
@@ -109,52 +106,6 @@ class EngineRecorder:
     def stats(self) -> dict[str, Any]:
         """What the last frame took, with the keys of --stats."""
         return render_stats.select(self._engine.GetRenderStats())
-
-    def _set_view(self, view: View) -> None:
-        if view.path.isEmpty:
-            frustum = view.camera.frustum
-            self._engine.SetCameraState(
-                frustum.ComputeViewMatrix(), frustum.ComputeProjectionMatrix()
-            )
-        else:
-            self._engine.SetCameraPath(view.path)
-        whole = Gf.Rect2i(Gf.Vec2i(0, 0), view.width, view.height)
-        framing = view.framing or Framing((view.width, view.height), whole)
-        # Buffers hold the data window alone: the picture is moved so that it begins with them.
-        data = framing.data_window
-        corner = Gf.Vec2f(*-data.min)
-        display = Gf.Range2f(corner, corner + Gf.Vec2f(*framing.size))
-        moved = Gf.Rect2i(Gf.Vec2i(0, 0), data.GetWidth(), data.GetHeight())
-        self._engine.SetFraming(CameraUtil.Framing(display, moved, framing.pixel_aspect))
-        if view.framing:
-            self._engine.SetWindowPolicy(framing.conform)
-        self._engine.SetRenderBufferSize(moved.GetSize())
-
-    def _set_lights(self, camera: Gf.Camera) -> None:
-        lights = []
-        if self._options.camera_light:
-            light = Glf.SimpleLight()
-            position = camera.frustum.position
-            light.position = Gf.Vec4f(*position, 1)
-            light.transform = camera.frustum.ComputeViewInverse()
-            light.ambient = _SCENE_AMBIENT
-            lights.append(light)
-        material = Glf.SimpleMaterial()
-        material.ambient = Gf.Vec4f(0.2, 0.2, 0.2, 1)
-        material.specular = Gf.Vec4f(0.1, 0.1, 0.1, 1)
-        material.shininess = 32
-        self._engine.SetLightingState(lights, material, _SCENE_AMBIENT)
-
-    def _render_params(self, when: Usd.TimeCode) -> UsdImagingGL.RenderParams:
-        params = UsdImagingGL.RenderParams()
-        params.frame = when
-        params.complexity = _COMPLEXITY_VALUES[self._options.complexity]
-        params.colorCorrectionMode = "disabled"
-        params.clearColor = Gf.Vec4f(0)
-        params.showRender = UsdGeom.Tokens.render in self._options.purposes
-        params.showProxy = UsdGeom.Tokens.proxy in self._options.purposes
-        params.showGuides = UsdGeom.Tokens.guide in self._options.purposes
-        return params
 
     def _render(self, root: Usd.Prim, params: UsdImagingGL.RenderParams) -> None:
         """Renders until the picture has converged. Errors on the way are reported, once."""
@@ -191,13 +142,6 @@ class EngineRecorder:
         raise CommandError(reason)
 
 
-def _make_engine() -> UsdImagingGL.Engine:
-    parameters = UsdImagingGL.Engine.Parameters()
-    parameters.gpuEnabled = False
-    parameters.rendererPluginId = RENDERER_PLUGIN
-    return UsdImagingGL.Engine(parameters)
-
-
 class FrameRecorder:
     """Renders with any other renderer, through the recorder that usdrecord uses."""
 
@@ -210,7 +154,7 @@ class FrameRecorder:
             self._recorder.SetActiveRenderPassPrimPath(Sdf.Path(options.render_pass))
         if settings:
             self._recorder.SetActiveRenderSettingsPrimPath(settings.GetPath())
-        self._recorder.SetComplexity(_COMPLEXITY_VALUES[options.complexity])
+        self._recorder.SetComplexity(engine.COMPLEXITY_VALUES[options.complexity])
         self._recorder.SetCameraLightEnabled(options.camera_light)
         self._recorder.SetIncludedPurposes(options.purposes)
         self._recorder.SetDomeLightVisibility(options.dome_light_visible)

@@ -54,6 +54,11 @@ class Sdk:
         return self.usd_core / "bin" / "python"
 
     @property
+    def viewer(self) -> Path:
+        """The packages of the viewer's window."""
+        return self.folder / "viewer"
+
+    @property
     def prefix(self) -> Path:
         """What CMAKE_PREFIX_PATH should hold: headers, libraries and CMake packages."""
         return self.folder / "prefix"

@@ -88,6 +88,18 @@ def set_up(sdk: Sdk, report: Report) -> None:
         sdk.stamp.write_text(sdk_module.wanted_stamp(sdk))
 
 
+def set_up_viewer(sdk: Sdk, report: Report) -> None:
+    """Adds what the viewer needs to an SDK that is current. Returns at once if it is there."""
+    install_packages(report, "apt-packages-viewer.txt")
+    requirements = INPUTS / "requirements-viewer.txt"
+    with exclusive(sdk, report), step(sdk, "viewer", [requirements], sdk.viewer) as state:
+        if state != CURRENT:
+            report("installing Qt (a download of 85 MB)")
+            with replaced(sdk.viewer) as fresh:
+                pip(sdk, "install", "--no-compile", "--no-cache-dir", "--target", str(fresh),
+                    "-r", str(requirements))  # fmt: skip
+
+
 # ---- Steps -------------------------------------------------------------------------------------
 
 

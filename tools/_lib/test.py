@@ -19,6 +19,7 @@ STAGES = (
     Stage("abi", test_python.abi, needs=("set-up",)),
     Stage("blender", test_python.blender, needs=("build",)),
     Stage("commands", test_python.commands, needs=("build",)),
+    Stage("viewer", test_python.viewer, needs=("build",)),
     Stage("images", test_python.images, needs=("build",)),
     Stage("scenes", test_python.scenes, needs=("set-up",)),
     Stage("clang-tidy", test_lint.check_cpp, needs=("build",)),

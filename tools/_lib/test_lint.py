@@ -15,7 +15,7 @@ _CPP_SUFFIXES = (".h", ".cpp")
 _CPP_FOLDERS = ("core", "hdCC", "tests")
 _TIDY_FOLDERS = ("core", "hdCC")
 _FORMAT = "[-Wclang-format-violations]"
-_PYTHON_COMMANDS = ("tools/setup", "tools/record", "tools/test", "tools/bench")
+_PYTHON_COMMANDS = ("tools/setup", "tools/record", "tools/test", "tools/bench", "tools/view")
 
 
 def check_format(settings: Settings) -> Outcome:

@@ -2,7 +2,7 @@
 
 import os
 
-from . import build, sdk
+from . import build, sdk, sdk_setup
 from .console import CommandError
 from .paths import BUILD, ROOT, TESTS
 from .test_stage import Outcome, Settings, run_with_report
@@ -21,6 +21,16 @@ def blender(_: Settings) -> Outcome:
 def commands(_: Settings) -> Outcome:
     """The commands of tools/."""
     return _pytest("commands", build.usd_runtime(quiet=True))
+
+
+def viewer(_: Settings) -> Outcome:
+    """The window of tools/view, on a display without a screen."""
+    try:
+        sdk_setup.install_packages(lambda _: None, "apt-packages-xvfb.txt")
+        sdk_setup.set_up_viewer(sdk.locate(), lambda _: None)
+    except sdk_setup.SetupError as failure:
+        raise CommandError(str(failure)) from failure
+    return _pytest("viewer", build.plugin_runtime(quiet=True))
 
 
 def images(_: Settings) -> Outcome:
