@@ -95,10 +95,13 @@ class _Computation {
           _id(id),
           _isAggregation(delegate->GetExtComputationOutputDescriptors(id).empty()) {
         for (TfToken const &name : delegate->GetExtComputationSceneInputNames(id)) {
-            _inputs[name] = HdCCSample<VtValue>([&](size_t room, float *times, VtValue *values) {
-                return delegate->SampleExtComputationInput(id, name, shutter.open, shutter.close,
-                                                           room, times, values);
-            });
+            _inputs[name] = HdCCSample<VtValue>(
+                shutter,
+                [&](size_t room, float *times, VtValue *values) {
+                    return delegate->SampleExtComputationInput(id, name, shutter.open,
+                                                               shutter.close, room, times, values);
+                },
+                [&] { return delegate->GetExtComputationInput(id, name); });
         }
         for (auto const &source : delegate->GetExtComputationInputDescriptors(id)) {
             if (nesting < kMostNested) {

@@ -8,35 +8,35 @@ PXR_NAMESPACE_OPEN_SCOPE
 
 cc::Moving<cc::AffineTransform> HdCCSampleTransform(HdSceneDelegate *delegate, SdfPath const &id,
                                                     HdCCShutter const &shutter) {
-    if (!shutter.IsOpen()) {
-        return cc::Moving<cc::AffineTransform>(HdCCToTransform(delegate->GetTransform(id)));
-    }
-    const auto matrices =
-        HdCCSample<GfMatrix4d>([&](size_t room, float *times, GfMatrix4d *values) {
+    const auto matrices = HdCCSample<GfMatrix4d>(
+        shutter,
+        [&](size_t room, float *times, GfMatrix4d *values) {
             return delegate->SampleTransform(id, shutter.open, shutter.close, room, times, values);
-        });
+        },
+        [&] { return delegate->GetTransform(id); });
     return HdCCConvertPoses<cc::AffineTransform>(matrices, HdCCToTransform);
 }
 
 cc::Moving<GfMatrix4d> HdCCSampleInstancerTransform(HdSceneDelegate *delegate, SdfPath const &id,
                                                     HdCCShutter const &shutter) {
-    if (!shutter.IsOpen()) {
-        return cc::Moving<GfMatrix4d>(delegate->GetInstancerTransform(id));
-    }
-    return HdCCSample<GfMatrix4d>([&](size_t room, float *times, GfMatrix4d *values) {
-        return delegate->SampleInstancerTransform(id, shutter.open, shutter.close, room, times,
-                                                  values);
-    });
+    return HdCCSample<GfMatrix4d>(
+        shutter,
+        [&](size_t room, float *times, GfMatrix4d *values) {
+            return delegate->SampleInstancerTransform(id, shutter.open, shutter.close, room, times,
+                                                      values);
+        },
+        [&] { return delegate->GetInstancerTransform(id); });
 }
 
 cc::Moving<VtValue> HdCCSamplePrimvar(HdSceneDelegate *delegate, SdfPath const &id,
                                       TfToken const &name, HdCCShutter const &shutter) {
-    if (!shutter.IsOpen()) {
-        return cc::Moving<VtValue>(delegate->Get(id, name));
-    }
-    return HdCCSample<VtValue>([&](size_t room, float *times, VtValue *values) {
-        return delegate->SamplePrimvar(id, name, shutter.open, shutter.close, room, times, values);
-    });
+    return HdCCSample<VtValue>(
+        shutter,
+        [&](size_t room, float *times, VtValue *values) {
+            return delegate->SamplePrimvar(id, name, shutter.open, shutter.close, room, times,
+                                           values);
+        },
+        [&] { return delegate->Get(id, name); });
 }
 
 PXR_NAMESPACE_CLOSE_SCOPE

@@ -4,7 +4,6 @@
 
 #include "pxr/base/tf/diagnostic.h"
 #include "pxr/base/tf/staticTokens.h"
-#include "pxr/imaging/hd/extComputationUtils.h"
 
 #include "hdCC/computedPrimvar.h"
 #include "hdCC/instancer.h"
@@ -85,12 +84,8 @@ static cc::Moving<VtValue> _ComputedPoints(HdSceneDelegate *delegate, SdfPath co
     const HdExtComputationPrimvarDescriptorVector primvars =
         delegate->GetExtComputationPrimvarDescriptors(id, HdInterpolationVertex);
     for (HdExtComputationPrimvarDescriptor const &primvar : primvars) {
-        if (primvar.name == _tokens->points && shutter.IsOpen()) {
-            return HdCCSampleComputedPrimvar(delegate, primvar, shutter);
-        }
         if (primvar.name == _tokens->points) {
-            return cc::Moving<VtValue>(HdExtComputationUtils::GetComputedPrimvarValues(
-                {primvar}, delegate)[_tokens->points]);
+            return HdCCSampleComputedPrimvar(delegate, primvar, shutter);
         }
     }
     return {};

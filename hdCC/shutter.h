@@ -21,11 +21,17 @@ struct HdCCShutter {
     bool operator==(HdCCShutter const &b) const { return open == b.open && close == b.close; }
 };
 
-/// Asks a scene delegate for the samples of a value. Samples that are all alike are one.
-/// @param ask  called with how many there is room for, and the room for times and values; it
-///             returns how many there are, as the Sample methods of HdSceneDelegate do
-template <class T, class Ask>
-cc::Moving<T> HdCCSample(Ask const &ask) {
+/// Asks a scene delegate for the samples of a value while a shutter is open. Samples that are all
+/// alike are one.
+/// @param ask   called with how many there is room for, and the room for times and values; it
+///              returns how many there are, as the Sample methods of HdSceneDelegate do
+/// @param rest  gives the value at the frame's own time: all that there is if the shutter is
+///              closed, or at the time code Default
+template <class T, class Ask, class Rest>
+cc::Moving<T> HdCCSample(HdCCShutter const &shutter, Ask const &ask, Rest const &rest) {
+    if (!shutter.IsOpen()) {
+        return cc::Moving<T>(rest());
+    }
     constexpr size_t kRoom = 4;
     std::vector<float> times(kRoom);
     std::vector<T> values(kRoom);
@@ -44,7 +50,7 @@ cc::Moving<T> HdCCSample(Ask const &ask) {
         }
     }
     if (poses.empty()) {
-        return {};
+        return cc::Moving<T>(rest());
     }
     const bool isAtRest = std::all_of(poses.begin(), poses.end(),
                                       [&](T const &pose) { return pose == poses.front(); });

@@ -19,7 +19,6 @@
 #include "pxr/imaging/hd/enums.h"
 #include "pxr/imaging/hd/extComputation.h"
 #include "pxr/imaging/hd/extComputationContext.h"
-#include "pxr/imaging/hd/extComputationUtils.h"
 #include "pxr/imaging/hd/geomSubset.h"
 #include "pxr/imaging/hd/instancer.h"
 #include "pxr/imaging/hd/light.h"

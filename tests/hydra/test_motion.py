@@ -15,7 +15,8 @@ from hydra_kit import (
     assert_same,
     make_stage,
 )
-from pxr import Gf, Usd, UsdGeom, UsdSkel
+from pxr import Gf, Usd, UsdGeom
+from skel_kit import skin
 
 SIZE = 40
 SAMPLES = 32
@@ -120,34 +121,6 @@ def test_curves_blur() -> None:
         x = frame - 10
         curves.CreatePointsAttr().Set([(x, -1, 0), (x, 1, 0)], frame)
     expect_slid(coverage(view(stage).render()), 1, 0, 1)
-
-
-def skin(stage: Usd.Stage, mesh: UsdGeom.Mesh) -> UsdSkel.Animation:
-    """Binds a mesh to one joint, and to a blend shape that moves it by 1 along x."""
-    UsdSkel.Root.Define(stage, "/Root")
-    skeleton = UsdSkel.Skeleton.Define(stage, "/Root/Skeleton")
-    skeleton.CreateJointsAttr(["joint"])
-    skeleton.CreateBindTransformsAttr([Gf.Matrix4d(1)])
-    skeleton.CreateRestTransformsAttr([Gf.Matrix4d(1)])
-    UsdSkel.BindingAPI.Apply(skeleton.GetPrim()).CreateAnimationSourceRel().SetTargets(
-        ["/Root/Animation"]
-    )
-    shape = UsdSkel.BlendShape.Define(stage, mesh.GetPath().AppendChild("shift"))
-    shape.CreateOffsetsAttr([(1, 0, 0)] * len(SQUARE))
-    binding = UsdSkel.BindingAPI.Apply(mesh.GetPrim())
-    binding.CreateSkeletonRel().SetTargets(["/Root/Skeleton"])
-    binding.CreateJointIndicesPrimvar(True, 1).Set([0])
-    binding.CreateJointWeightsPrimvar(True, 1).Set([1.0])
-    binding.CreateBlendShapesAttr(["shift"])
-    binding.CreateBlendShapeTargetsRel().SetTargets([shape.GetPath()])
-    animation = UsdSkel.Animation.Define(stage, "/Root/Animation")
-    animation.CreateJointsAttr(["joint"])
-    animation.CreateTranslationsAttr([(0, 0, 0)])
-    animation.CreateRotationsAttr([Gf.Quatf(1)])
-    animation.CreateScalesAttr([Gf.Vec3h(1)])
-    animation.CreateBlendShapesAttr(["shift"])
-    animation.CreateBlendShapeWeightsAttr([0.0])
-    return animation
 
 
 def test_skinned_points_blur() -> None:
@@ -380,3 +353,25 @@ def test_motion_that_begins_while_the_shutter_is_closed() -> None:
     assert is_sharp(coverage(seen.render()))
     closes.Set(0.5)
     expect_slid(coverage(seen.render()), 1, 0, 0.5)
+
+
+def test_at_the_default_time_everything_rests() -> None:
+    stage = make_moving_stage()
+    slide(add_square(stage))
+    animation = skin(stage, add_square(stage, "/Root/Square"))
+    animation.GetTranslationsAttr().Set([(-1, 1, 0)])
+    for frame in (10, 11):
+        animation.GetTranslationsAttr().Set([(frame, 0, 0)], frame)
+    instancer = UsdGeom.PointInstancer.Define(stage, "/I")
+    add_square(stage, "/I/Square")
+    instancer.CreatePrototypesRel().SetTargets(["/I/Square"])
+    instancer.CreateProtoIndicesAttr([0])
+    instancer.CreatePositionsAttr([(1, -1, 0)])
+    seen = view(stage)
+    seen.params.frame = Usd.TimeCode.Default()
+    picture = seen.render()
+    for y, left in ((1, 5), (0, 15), (-1, 25)):
+        row = coverage(picture, y)
+        assert is_sharp(row)
+        assert (row[left + 1 : left + 9] == 1).all(), y
+        assert row.sum() == pytest.approx(10, abs=0.2), y

@@ -27,7 +27,8 @@ from hydra_kit import (
     make_stage,
 )
 from interactive_kit import converge, draw
-from pxr import Gf, Sdf, Usd, UsdGeom
+from pxr import Gf, Sdf, Usd, UsdGeom, UsdSkel
+from skel_kit import skin
 
 EDITS = int(os.environ.get("HDCC_SOAK_EDITS", "400"))
 SEED = int(os.environ.get("HDCC_SOAK_SEED", "1"))
@@ -67,6 +68,8 @@ class Soak:
             self.divide,
             self.animate,
             self.scatter,
+            self.skin,
+            self.scrub,
             self.light,
             self.camera,
             self.set,
@@ -204,8 +207,26 @@ class Soak:
             return
         points = UsdGeom.Points.Define(self.view.stage, "/Points")
         count = self.random.randint(0, 4)
-        points.CreatePointsAttr().Set([Gf.Vec3f(self.offset()) for _ in range(count)])
+        attribute = points.CreatePointsAttr()
+        attribute.Clear()
+        for time_code in self.random.choice(([Usd.TimeCode.Default()], [0, 0.5, 1])):
+            attribute.Set([Gf.Vec3f(self.offset()) for _ in range(count)], time_code)
         points.CreateWidthsAttr().Set([self.random.uniform(0, 0.6) for _ in range(count)])
+
+    def skin(self) -> None:
+        """Adds a mesh whose joint and blend shape move. OpenUSD misses edits of those."""
+        stage = self.view.stage
+        if stage.GetPrimAtPath("/Root"):
+            return
+        UsdSkel.Root.Define(stage, "/Root")
+        animation = skin(stage, add_cube(stage, "/Root/Cube", half=0.3))
+        for time_code in (0, 0.5, 1):
+            animation.GetTranslationsAttr().Set([Gf.Vec3f(self.offset())], time_code)
+            weight = self.random.uniform(-0.5, 0.5)
+            animation.GetBlendShapeWeightsAttr().Set([weight], time_code)
+
+    def scrub(self) -> None:
+        self.view.params.frame = Usd.TimeCode(self.random.choice((0, 0, 0.3, 1)))
 
     def light(self) -> None:
         light = self.view.stage.GetPrimAtPath("/Light")
