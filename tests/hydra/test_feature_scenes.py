@@ -216,3 +216,66 @@ def test_corners_of_sheets_stay_or_get_round(vertex: int, beside: tuple[int, int
     assert shot.gap(shot.world("/World/EdgeOnly", corner)) == np.inf
     round_corner = (4 * corner + points[beside[0]] + points[beside[1]]) / 6
     assert shot.gap(shot.world("/World/EdgeOnly", round_corner)) < TOLERANCE
+
+
+def test_rules_for_triangles() -> None:
+    shot = Shot("triangle_rule", size=LARGE)
+    first, second = ("/World/CatmullClark", "/World/Smooth")
+    cages = {path: cage_of(shot.stage, path) for path in (first, second)}
+    assert cages[second].triangle_weight == 0.47 != cages[first].triangle_weight
+    for path, cage in cages.items():
+        expect_limit(shot, path, cage, steps=2)
+    expect_other_limit(shot, first, cages[second], steps=2)
+    expect_other_limit(shot, second, cages[first], steps=2)
+
+
+def levels_of_rows(shot: Shot) -> dict[int, float]:
+    """The level of each row of the road's faces that is seen, counted from near to far."""
+    rows, levels = shot["elementId"][shot.hit] // 4, shot["hdcc:level"][shot.hit]
+    found = {int(row): np.unique(levels[rows == row]) for row in np.unique(rows)}
+    return {row: float(values.mean()) for row, values in found.items()}
+
+
+def test_near_patches_are_finer_than_far_ones() -> None:
+    shot = Shot("adaptive", more_aovs=["hdcc:level"], level=8)
+    found = levels_of_rows(shot)
+    levels = np.array(list(found.values()))
+    assert len(levels) > 30 and levels[0] >= levels[-1] + 3
+    assert (np.diff(levels) <= 0).all()
+    # Rows begin at z = 6 and are 3 deep; the camera is at z = 9. Bumps are equal, and a level makes
+    # their error a quarter, which leaves what levels are whole for.
+    distances = 3 + 3 * np.array(list(found))
+    assert np.ptp(levels + np.log(distances) / np.log(4)) < 1.25
+
+
+def test_without_the_metric_all_patches_have_one_level() -> None:
+    shot = Shot("adaptive", more_aovs=["hdcc:level"], adaptive=False, level=3)
+    assert (shot["hdcc:level"][shot.hit] == 3).all()
+
+
+def test_four_times_the_error_is_a_level_less() -> None:
+    shots = [
+        Shot("adaptive", more_aovs=["hdcc:level"], pixelError=error, level=8)
+        for error in (0.25, 1.0)
+    ]
+    fine, coarse = map(levels_of_rows, shots)
+    assert {row: level - 1 for row, level in fine.items()} == coarse
+
+
+def test_faces_of_subsets_have_their_materials() -> None:
+    shot = Shot("subsets", more_aovs=["hdcc:material", "primvars:displayColor"])
+    names = list(shot.view.engine.GetRenderStats()["materials"])
+    jug = shot.stage.GetPrimAtPath("/World/Jug")
+    colors = np.array(jug.GetAttribute("primvars:displayColor").Get())
+    expected = {f"/World/Materials/{name}": i for i, name in enumerate(("Clay", "Glaze", "Gold"))}
+    assert set(names) == set(expected)
+    faces = np.zeros(40, int)
+    for index, name in ((1, "Band"), (2, "Rim")):
+        faces[shot.stage.GetPrimAtPath(f"/World/Jug/{name}").GetAttribute("indices").Get()] = index
+    hit = shot.hit
+    numbers = shot["hdcc:material"][hit].astype(int)
+    materials = np.array([expected[name] for name in names])[numbers]
+    assert (materials == faces[shot["elementId"][hit]]).all()
+    assert np.allclose(shot["primvars:displayColor"][hit], colors[materials], atol=1e-3)
+    assert (shot["hdcc:material"][~hit] == -1).all()
+    assert set(materials) == {0, 1, 2}
