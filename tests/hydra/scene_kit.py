@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 from hydra_kit import View
-from pxr import Gf, Usd, UsdGeom
+from pxr import CameraUtil, Gf, Usd, UsdGeom
 
 FEATURES = Path(__file__).resolve().parents[2] / "usd_scenes" / "features"
 AOVS = ("color", "cameraDepth", "primId", "instanceId", "elementId", "normal")
@@ -125,13 +125,15 @@ class Shot:
         row, column = self.pixel(point)
         return np.s_[max(row - 1, 0) : row + 2, max(column - 1, 0) : column + 2]
 
-    def close_up(self, aov: str, point: Sequence[float], scale: int = 64) -> np.ndarray:
+    def close_up(self, aov: str, point: Sequence[float], scale: int = 512) -> np.ndarray:
         """The eight by eight pixels around a point of the world in a picture so much larger."""
         width, height = (scale * length for length in self.size)
         matrix = self.frustum.ComputeViewMatrix() * self.frustum.ComputeProjectionMatrix()
         x, y, _ = matrix.Transform(Gf.Vec3d(*map(float, point)))
-        column, row = round((x + 1) / 2 * width), round((1 - y) / 2 * height)
-        self.view.set_data_window(column - 4, row - 4, 8, 8, display=(width, height))
+        corner = Gf.Vec2f(4 - round((x + 1) / 2 * width), 4 - round((1 - y) / 2 * height))
+        window = Gf.Range2f(corner, corner + Gf.Vec2f(width, height))
+        self.view.engine.SetRenderBufferSize(Gf.Vec2i(8, 8))
+        self.view.engine.SetFraming(CameraUtil.Framing(window, Gf.Rect2i(Gf.Vec2i(0), 8, 8), 1.0))
         self.view.execute()
         return self.view.read([aov])[aov]
 

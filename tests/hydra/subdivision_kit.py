@@ -124,7 +124,8 @@ class Cage:
 
     def normal(self, vertex: int) -> np.ndarray:
         """About the unit normal at a vertex: that of the faces around it."""
-        corners = [[self.points[v] for v in self.faces[f]] for f in self.faces_of_vertex[vertex]]
+        faces = (self.faces[face] for face in self.faces_of_vertex[vertex])
+        corners = [[self.points[v][:3] for v in face] for face in faces]
         total = sum(np.cross(c[2] - c[0], c[-1] - c[1]) for c in corners)
         return np.asarray(total / np.linalg.norm(total))
 
