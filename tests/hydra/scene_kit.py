@@ -33,13 +33,26 @@ class Shot:
         **settings: Any,
     ) -> None:
         self.stage = open_scene(scene) if isinstance(scene, str) else scene
-        self.frame = Usd.TimeCode.Default() if frame is None else Usd.TimeCode(frame)
         self.size = size
-        settings = {"samples": 1, **settings}
-        self.view = View(self.stage, camera=camera, size=size, aovs=(*AOVS, *more_aovs), **settings)
+        self.view = View(
+            self.stage,
+            camera=camera,
+            size=size,
+            aovs=(*AOVS, *more_aovs),
+            **{"samples": 1, **settings},
+        )
+        self.camera = UsdGeom.Camera.Get(self.stage, camera)
+        self.go_to(frame)
+
+    def go_to(self, frame: float | None) -> None:
+        """Renders another frame."""
+        self.frame = Usd.TimeCode.Default() if frame is None else Usd.TimeCode(frame)
         self.view.params.frame = self.frame
-        self.frustum = UsdGeom.Camera.Get(self.stage, camera).GetCamera(self.frame).frustum
+        self.frustum = self.camera.GetCamera(self.frame).frustum
+        self._to_picture = self.frustum.ComputeViewMatrix() * self.frustum.ComputeProjectionMatrix()
         self.picture = self.view.render()
+        for name in ("hit", "positions"):
+            self.__dict__.pop(name, None)
 
     def __getitem__(self, aov: str) -> np.ndarray:
         return self.picture[aov]
@@ -63,10 +76,14 @@ class Shot:
 
     def pixel(self, point: Sequence[float]) -> tuple[int, int]:
         """The row and the column in which the camera sees a point of the world."""
-        matrix = self.frustum.ComputeViewMatrix() * self.frustum.ComputeProjectionMatrix()
-        x, y, _ = matrix.Transform(Gf.Vec3d(*map(float, point)))
         width, height = self.size
+        x, y = self._projected(point)
         return int((1 - y) / 2 * height), int((x + 1) / 2 * width)
+
+    def _projected(self, point: Sequence[float]) -> tuple[float, float]:
+        """Where a point of the world is seen, right and up from -1 to 1."""
+        x, y, _ = self._to_picture.Transform(Gf.Vec3d(*map(float, point)))
+        return x, y
 
     def at(self, aov: str, point: Sequence[float]) -> Any:
         """What an AOV shows where a point of the world is seen."""
@@ -128,8 +145,7 @@ class Shot:
     def close_up(self, aov: str, point: Sequence[float], scale: int = 512) -> np.ndarray:
         """The eight by eight pixels around a point of the world in a picture so much larger."""
         width, height = (scale * length for length in self.size)
-        matrix = self.frustum.ComputeViewMatrix() * self.frustum.ComputeProjectionMatrix()
-        x, y, _ = matrix.Transform(Gf.Vec3d(*map(float, point)))
+        x, y = self._projected(point)
         corner = Gf.Vec2f(4 - round((x + 1) / 2 * width), 4 - round((1 - y) / 2 * height))
         window = Gf.Range2f(corner, corner + Gf.Vec2f(width, height))
         self.view.engine.SetRenderBufferSize(Gf.Vec2i(8, 8))

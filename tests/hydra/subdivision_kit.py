@@ -138,9 +138,14 @@ def cage_of(stage: Usd.Stage, path: str, frame: Usd.TimeCode | None = None) -> C
     indices = iter(mesh.GetFaceVertexIndicesAttr().Get(when))
     faces = [[next(indices) for _ in range(n)] for n in mesh.GetFaceVertexCountsAttr().Get(when)]
     smooth = mesh.GetTriangleSubdivisionRuleAttr().Get() == UsdGeom.Tokens.smooth
-    corners = _pairs(mesh.GetCornerIndicesAttr(), mesh.GetCornerSharpnessesAttr())
+    corners = _pairs(mesh.GetCornerIndicesAttr(), mesh.GetCornerSharpnessesAttr(), when)
     cage = Cage(
-        points, faces, list(range(len(faces))), _creases(mesh), corners, 0.47 if smooth else 0.25
+        points,
+        faces,
+        list(range(len(faces))),
+        _creases(mesh, when),
+        corners,
+        0.47 if smooth else 0.25,
     )
     if mesh.GetInterpolateBoundaryAttr().Get() == UsdGeom.Tokens.edgeAndCorner:
         alone = [v for v, around in cage.faces_of_vertex.items() if len(around) == 1]
@@ -148,15 +153,15 @@ def cage_of(stage: Usd.Stage, path: str, frame: Usd.TimeCode | None = None) -> C
     return cage
 
 
-def _pairs(names: Usd.Attribute, values: Usd.Attribute) -> dict[int, float]:
-    return dict(zip(names.Get() or (), values.Get() or ()))
+def _pairs(names: Usd.Attribute, values: Usd.Attribute, when: Usd.TimeCode) -> dict[int, float]:
+    return dict(zip(names.Get(when) or (), values.Get(when) or ()))
 
 
-def _creases(mesh: UsdGeom.Mesh) -> dict[Edge, float]:
+def _creases(mesh: UsdGeom.Mesh, when: Usd.TimeCode) -> dict[Edge, float]:
     """Sharpnesses of edges, of which a crease has one for all, or one for each."""
-    indices = iter(mesh.GetCreaseIndicesAttr().Get() or ())
-    lengths = mesh.GetCreaseLengthsAttr().Get() or ()
-    values = list(mesh.GetCreaseSharpnessesAttr().Get() or ())
+    indices = iter(mesh.GetCreaseIndicesAttr().Get(when) or ())
+    lengths = mesh.GetCreaseLengthsAttr().Get(when) or ()
+    values = list(mesh.GetCreaseSharpnessesAttr().Get(when) or ())
     runs: list[Any] = [[next(indices) for _ in range(length)] for length in lengths]
     edges = [[edge_of(a, b) for a, b in zip(run, run[1:])] for run in runs]
     if len(values) == len(runs):
