@@ -15,8 +15,10 @@ CAMERA = "/World/Camera"
 
 
 def open_scene(name: str) -> Usd.Stage:
-    """The stage of a file of usd_scenes/features."""
-    return Usd.Stage.Open(str(FEATURES / f"{name}.usda"))
+    """The stage of a file of usd_scenes/features; edits are its own, as stages share files."""
+    stage = Usd.Stage.Open(str(FEATURES / f"{name}.usda"))
+    stage.SetEditTarget(stage.GetSessionLayer())
+    return stage
 
 
 class Shot:
