@@ -95,6 +95,10 @@ void TileRenderer::_WriteCentres(const Tile& tile, Sample* sample, RenderWorker*
     if (_centresAreApart && _film->Aovs().size() == 1 && _film->Has(Aov::Color)) {
         return;
     }
+    if (_film->Has(Aov::Cost)) {
+        // Which packets a thread has traced before is chance, and no part of the cost.
+        worker->grids.Clear();
+    }
     const TraceStatistics before = worker->statistics.trace;
     _TraceSample(tile, 0, false, sample, worker);
     _WriteCost(tile, before, worker->statistics.trace);

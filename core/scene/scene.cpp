@@ -144,11 +144,22 @@ void Scene::_BuildTopLevel(const std::vector<Shape*>& shapes, bool shapesChanged
         return;
     }
     _shown = std::move(shown);
+    _NumberSurfaces(shapes);
     _instances = {};  // before there is another one
     _instances = InstanceBvh(_PlaceInstances(), [&](size_t i, const Box3f& box) {
         return _shown[_origins[i].shape]->_placement.WorldBox(_origins[i].index, box);
     });
     ++_work.topLevelsBuilt;
+}
+
+void Scene::_NumberSurfaces(const std::vector<Shape*>& shapes) {
+    uint32_t number = 0;
+    for (Shape* shape : shapes) {
+        Geometry* const geometry = shape->_Geometry();
+        if (geometry && geometry->Kind() == GeometryKind::Surface) {
+            static_cast<Surface*>(geometry)->SetNumber(number++);
+        }
+    }
 }
 
 std::vector<Instance> Scene::_PlaceInstances() {

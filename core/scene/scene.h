@@ -90,6 +90,7 @@ class Scene {
   private:
     bool _BuildShapes(const std::vector<Shape*>& shapes, std::vector<std::string>* lines);
     void _BuildTopLevel(const std::vector<Shape*>& shapes, bool shapesChanged);
+    void _NumberSurfaces(const std::vector<Shape*>& shapes);
     /// Instances of what is shown, and their origins.
     std::vector<Instance> _PlaceInstances();
     void _MoveInstance(size_t instance);

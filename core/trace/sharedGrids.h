@@ -51,8 +51,8 @@ class SharedGrids {
     /// The place of a grid. If it holds another grid, or none, whoever asks fills it.
     EvaluatedGrid& At(const Surface& surface, uint32_t patch, const Square& square) {
         const auto part = static_cast<uint32_t>(square.u * 256 + square.v * 65536);
-        const auto mesh = static_cast<uint32_t>(reinterpret_cast<uintptr_t>(&surface) >> 6);
-        return _grids[((patch ^ mesh) * 0x9e3779b1u + part * 0x85ebca6bu) >> (32 - kBits)];
+        const uint32_t whole = patch ^ (surface.Number() * 0xc2b2ae35u);
+        return _grids[(whole * 0x9e3779b1u + part * 0x85ebca6bu) >> (32 - kBits)];
     }
 
     /// The place of a patch's levels. If it holds another's, whoever asks fills it.

@@ -44,6 +44,11 @@ class Surface final : public Geometry {
     const std::vector<Vec3f>& PatchPoints() const { return _patchPoints; }
     const ChordErrors& Errors() const { return _errors; }
 
+    /// Tells the surfaces of a scene apart where an address must not, being chance. 0 before it is
+    /// set.
+    uint32_t Number() const { return _number; }
+    void SetNumber(uint32_t number) { _number = number; }
+
     size_t PrimitiveCount() const override { return _patches.Count(); }
     /// Derivatives are those by the parameters of the authored face (FaceParameter).
     GeometryPoint PointAt(const GeometryHit& hit, const Instance& instance,
@@ -66,6 +71,7 @@ class Surface final : public Geometry {
     LimitGridPlans _plans;
     std::vector<Vec3f> _patchPoints;
     ChordErrors _errors;
+    uint32_t _number = 0;
 
     mutable std::mutex _tessellationMutex;
     mutable std::unique_ptr<const Tessellation> _ownedTessellation;
