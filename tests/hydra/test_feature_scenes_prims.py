@@ -195,8 +195,8 @@ def test_round_implicit_prims_are_a_little_slimmer(implicits: Shot, name: str) -
     path = f"/World/{name}"
     seen = implicits.of(path)
     place = implicits.local(path)[seen]
-    middle = np.abs(place[:, 1]) < 0.3
-    share = (np.hypot(place[:, 0], place[:, 2]) / ROUND[name](place[:, 1]))[middle]
+    middle = place[np.abs(place[:, 1]) < 0.3]
+    share = np.hypot(middle[:, 0], middle[:, 2]) / ROUND[name](middle[:, 1])
     assert len(share) > 200
     assert share.min() > 0.9 and share.max() < 0.95
     assert abs(np.median(share) - (4 + 2 * np.cos(np.pi / 5)) / 6) < 0.02
