@@ -12,6 +12,7 @@ from pxr import CameraUtil, Gf, Usd, UsdGeom
 FEATURES = Path(__file__).resolve().parents[2] / "usd_scenes" / "features"
 AOVS = ("color", "cameraDepth", "primId", "instanceId", "elementId", "normal")
 CAMERA = "/World/Camera"
+COLOR = "primvars:displayColor"
 
 
 def open_scene(name: str) -> Usd.Stage:
@@ -154,6 +155,11 @@ class Shot:
         self.view.engine.SetFraming(CameraUtil.Framing(window, Gf.Rect2i(Gf.Vec2i(0), 8, 8), 1.0))
         self.view.execute()
         return self.view.read([aov])[aov]
+
+
+def attribute(shot: Shot, path: str, name: str) -> np.ndarray:
+    """The numbers of an attribute as authored."""
+    return np.array(shot.stage.GetPrimAtPath(path).GetAttribute(name).Get(), float)
 
 
 def _with(flat: np.ndarray, last: float) -> np.ndarray:
