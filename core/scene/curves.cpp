@@ -119,11 +119,7 @@ void Curves::_BuildGeometry(BuildReport* report) {
 }
 
 void Curves::_BuildMotion(BuildReport* report) {
-    const std::string error = CheckPoses(_motion);
-    if (!error.empty()) {
-        report->lines.push_back(error + "; it is shown at rest");
-        _motion = {};
-    }
+    KeepIfPosesAgree(&_motion, &report->lines);
     if (!_motion.IsMoving()) {
         return;
     }

@@ -30,16 +30,18 @@ std::vector<Vec3f> PointsAt(const MovingPoints& points, float time) {
     return between;
 }
 
-std::string CheckPoses(const MovingPoints& points) {
-    const size_t expected = points.Poses().front().size();
-    for (size_t i = 1; i < points.Poses().size(); ++i) {
-        const size_t count = points.Poses()[i].size();
+void KeepIfPosesAgree(MovingPoints* points, std::vector<std::string>* lines) {
+    const size_t expected = points->Poses().front().size();
+    for (size_t i = 1; i < points->Poses().size(); ++i) {
+        const size_t count = points->Poses()[i].size();
         if (count != expected) {
-            return "pose " + std::to_string(i) + " of its motion has " + std::to_string(count) +
-                   " points, and the first " + std::to_string(expected);
+            lines->push_back("pose " + std::to_string(i) + " of its motion has " +
+                             std::to_string(count) + " points, and the first " +
+                             std::to_string(expected) + "; it is shown at rest");
+            *points = {};
+            return;
         }
     }
-    return {};
 }
 
 size_t BytesOf(const MovingPoints& points) {

@@ -14,8 +14,8 @@ using MovingPoints = Moving<std::vector<Vec3f>>;
 /// Where they are at a time. Between two poses that have not as many, those of the first.
 std::vector<Vec3f> PointsAt(const MovingPoints& points, float time);
 
-/// What is wrong if not all poses have as many points; else empty.
-std::string CheckPoses(const MovingPoints& points);
+/// Leaves points at rest whose poses have not all as many of them, and adds a line that says so.
+void KeepIfPosesAgree(MovingPoints* points, std::vector<std::string>* lines);
 
 /// Memory held by points that move, in bytes.
 size_t BytesOf(const MovingPoints& points);
