@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
+#include <string_view>
 #include <utility>
 
 #include "core/scene/largestCoordinate.h"
@@ -20,6 +22,12 @@ std::string CheckPoints(const std::vector<Vec3f>& points) {
     }
     return "point " + std::to_string(bad - points.begin()) +
            (IsFinite(*bad) ? " is too far away" : " is not finite") + "; the mesh is left out";
+}
+
+/// Tells points apart from others, but for one chance in 2^64.
+size_t HashOf(const std::vector<Vec3f>& points) {
+    return std::hash<std::string_view>()(
+        {reinterpret_cast<const char*>(points.data()), points.size() * sizeof(Vec3f)});
 }
 
 size_t CountUsedPoints(const ControlMesh& topology) {
@@ -60,10 +68,10 @@ void Mesh::SetTopology(ControlMesh topology) {
 }
 
 void Mesh::SetPoints(std::vector<Vec3f> points) {
-    _points = std::move(points);
-    _pointsChanged = true;
-    _pointsAreInSurface = false;
-    _motion = {};
+    const bool areInUse = _pointsAreInSurface && !_motion.IsMoving();
+    if (!areInUse || HashOf(points) != _pointsHash) {
+        _TakePoints(std::move(points));
+    }
 }
 
 void Mesh::SetMovingPoints(MovingPoints points) {
@@ -71,8 +79,16 @@ void Mesh::SetMovingPoints(MovingPoints points) {
         SetPoints(std::move(points.Poses().front()));
         return;
     }
-    SetPoints(PointsAt(points, 0));
+    _TakePoints(PointsAt(points, 0));
     _motion = std::move(points);
+}
+
+void Mesh::_TakePoints(std::vector<Vec3f> points) {
+    _pointsHash = HashOf(points);
+    _points = std::move(points);
+    _pointsChanged = true;
+    _pointsAreInSurface = false;
+    _motion = {};
 }
 
 void Mesh::SetCulled(CulledSide side) { _culled = side; }

@@ -20,6 +20,7 @@ class Mesh final : public Shape {
     ~Mesh() override;
 
     void SetTopology(ControlMesh topology);
+    /// Points that are those in use already cost no work.
     void SetPoints(std::vector<Vec3f> points);
     /// Points that move (Moving). Poses that do not fit the mesh, or are not numbers, leave it at
     /// rest as it is at time 0.
@@ -61,6 +62,7 @@ class Mesh final : public Shape {
     size_t _OwnBytes() const override;
     size_t _FaceCount() const override { return _faces.FaceCount(); }
 
+    void _TakePoints(std::vector<Vec3f> points);
     bool _IsNormals(const std::string& name) const;
     void _RebuildSurface(BuildReport* report);
     void _MoveSurface(BuildReport* report);
@@ -79,6 +81,8 @@ class Mesh final : public Shape {
     bool _topologyChanged = false;
     std::vector<Vec3f> _points;
     bool _pointsChanged = false;
+    /// Of the points that were set last.
+    size_t _pointsHash = 0;
     /// True if the points in use are those of the surface, and _points is empty.
     bool _pointsAreInSurface = false;
     /// Kept while the points move.

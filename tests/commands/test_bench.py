@@ -235,6 +235,10 @@ def test_suite(run, scene: Path, suite: str) -> None:
         assert all(row["mrays_per_second"]["primary"] > 0 for row in rows)
     if suite in ("table3", "table4", "table5"):
         assert all(row["rays"]["shadow"] > 0 for row in rows)
+    if suite == "edits":
+        assert len({row["edit"] for row in rows}) == len(rows) == 7
+        for row in rows:
+            assert 0 < row["milliseconds"]["median"] <= row["milliseconds"]["worst"]
     if suite == "table5":
         assert all(row["rays"]["reflection"] > 0 for row in rows)
     if suite in ("table2", "table3", "table4", "table5"):

@@ -196,6 +196,12 @@ INSTANCES: Columns = {
     "structures MB": _megabytes("bytes.structures"),
     "peak MB": _megabytes("bytes.peak_rss"),
 }
+EDITS: Columns = {
+    "scene": lambda row: row["scene"],
+    "edit": lambda row: row["edit"],
+    "median ms": _number("milliseconds.median", "{:.1f}"),
+    "worst ms": _number("milliseconds.worst", "{:.1f}"),
+}
 WATERTIGHT: Columns = {
     "cages": lambda row: str(row["cages"]),
     "level": lambda row: str(row["level"]),
@@ -205,4 +211,4 @@ WATERTIGHT: Columns = {
     "first escape": lambda row: row["first_escape"] or "-",
 }
 #: Columns that are flush left.
-TEXT = ("first escape", "scene", "tracer", "rays", "interface")
+TEXT = ("first escape", "edit", "scene", "tracer", "rays", "interface")

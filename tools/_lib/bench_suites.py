@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 from . import (
     bench_columns,
+    bench_edits,
     bench_embree,
     bench_instances,
     bench_measure,
@@ -296,6 +297,7 @@ SUITES = {
         bench_columns.INSTANCES,
         takes_scene=False,
     ),
+    "edits": Suite("from an edit to the first picture of it", bench_edits.run, bench_columns.EDITS),
     "watertight": Suite(
         "rays that slip through closed surfaces",
         bench_watertight.run,

@@ -1,8 +1,11 @@
 """Stages under AddressSanitizer and UndefinedBehaviorSanitizer: they share a build."""
 
+import math
 import os
 import shutil
 import sys
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
 
 from . import sdk_setup
 from .console import CommandError
@@ -16,7 +19,7 @@ _BUILT = BUILD / "sanitize"
 CORPUS = _BUILT / "corpus"
 #: What libFuzzer said, with its count of inputs.
 LOG = _BUILT / "cc_fuzz.log"
-#: Seconds; HDCC_FUZZ_SECONDS asks for another time.
+#: Seconds of all cores together; HDCC_FUZZ_SECONDS asks for another time.
 SECONDS = 60
 
 _ENVIRONMENT = {
@@ -43,14 +46,22 @@ def fuzz(_: Settings) -> Outcome:
     seeds = run_once([sys.executable, str(ROOT / "tests" / "fuzz" / "seeds.py"), str(CORPUS)])
     if seeds.failed:
         return seeds
-    seconds = os.environ.get("HDCC_FUZZ_SECONDS", str(SECONDS))
-    fuzzed = run_once(
+    cores = len(os.sched_getaffinity(0))
+    seconds = int(os.environ.get("HDCC_FUZZ_SECONDS", str(SECONDS))) / cores
+    with ThreadPoolExecutor(cores) as pool:
+        runs = list(pool.map(lambda i: _fuzz(1 + i, math.ceil(seconds), failures), range(cores)))
+    LOG.write_text("".join(run.output for run in runs))
+    return next((run for run in runs if run.failed), runs[0])
+
+
+def _fuzz(seed: int, seconds: int, failures: Path) -> Outcome:
+    """One process. A seed has the same inputs on every fresh clone; a longer run goes beyond."""
+    return run_once(
         [
             str(_BUILT / "tests" / "fuzz" / "cc_fuzz"),
             str(CORPUS),
             f"-max_total_time={seconds}",
-            # The same inputs on every fresh clone; a longer run goes beyond them.
-            "-seed=1",
+            f"-seed={seed}",
             f"-artifact_prefix={failures}/",
             "-max_len=800",
             "-len_control=0",
@@ -59,8 +70,6 @@ def fuzz(_: Settings) -> Outcome:
         ],
         env=_environment(),
     )
-    LOG.write_text(fuzzed.output)
-    return fuzzed
 
 
 def _environment() -> dict[str, str]:

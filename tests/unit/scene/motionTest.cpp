@@ -255,6 +255,22 @@ TEST(Motion, EndsWhereBuildBegins) {
     EXPECT_EQ(mesh->BuiltSurface()->PatchPoints()[0], Cube().points[0]);
 }
 
+TEST(Motion, MayBeginWhereTheMeshRested) {
+    Scene scene;
+    Mesh* const mesh = AddCage(&scene, "/mesh", Cube());
+    scene.Build({"geometry"});
+    mesh->SetMovingPoints({{0, 1}, {Cube().points, Bent(Cube().points, 1)}});
+    scene.Build({"geometry"});
+    EXPECT_TRUE(scene.IsMoving());
+    const std::vector<Vec3f> begin = mesh->BuiltSurface()->PatchPoints();
+    scene.SetTime(1);
+    EXPECT_NE(mesh->BuiltSurface()->PatchPoints(), begin);
+    mesh->SetPoints(Cube().points);
+    scene.Build({"geometry"});
+    EXPECT_FALSE(scene.IsMoving());
+    EXPECT_EQ(mesh->BuiltSurface()->PatchPoints(), begin);
+}
+
 TEST(Motion, ThatDoesNotFitLeavesTheMeshAtRest) {
     const Points few(3), nan(8, Vec3f{std::numeric_limits<float>::quiet_NaN(), 0, 0});
     for (const Points& bad : {few, nan, Points()}) {

@@ -69,6 +69,10 @@ TEST(Scene, DoesOnlyWhatChangesAskFor) {
     expectWork(2, 0, 1);
     expectWork(2, 0, 1);
     a->SetPoints(Cube().points);
+    expectWork(2, 0, 1);
+    std::vector<Vec3f> moved = Cube().points;
+    moved[0].x += 1;
+    a->SetPoints(moved);
     expectWork(2, 1, 2);
     a->SetTransform(Placed(1, 5, 0, 0));
     expectWork(2, 1, 3);
