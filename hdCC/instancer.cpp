@@ -215,7 +215,10 @@ static _Places _Multiply(_Places const &outer, _Places const &inner) {
 }
 
 _Places HdCCInstancer::ComputeInstances(SdfPath const &prototype) const {
-    const VtIntArray indices = GetDelegate()->GetInstanceIndices(GetId(), prototype);
+    // Scene indices leave it to us to hide what an invisible instancer places.
+    const bool isVisible = GetDelegate()->GetVisible(GetId());
+    const VtIntArray indices =
+        isVisible ? GetDelegate()->GetInstanceIndices(GetId(), prototype) : VtIntArray();
     const _Elements elements(*this, _param ? _param->GetShutter() : HdCCShutter());
     if (_param && !elements.IsUsable()) {
         _param->WarnOnce(GetId(),

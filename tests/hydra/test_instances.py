@@ -333,3 +333,19 @@ def test_same_bits_for_any_threads() -> None:
     assert_same(pictures[0], pictures[1])
     assert_same(pictures[0], pictures[2])
     assert len(np.unique(pictures[0]["instanceId"])) > 100
+
+
+def test_an_invisible_instancer_shows_nothing() -> None:
+    stage = make_stage()
+    instancer = UsdGeom.PointInstancer.Define(stage, "/Instancer")
+    add_cube(stage, "/Instancer/Cube", half=0.4)
+    instancer.CreatePrototypesRel().SetTargets(["/Instancer/Cube"])
+    instancer.CreateProtoIndicesAttr([0])
+    instancer.CreatePositionsAttr([(0, 0, 0)])
+    view = View(stage)
+    assert shows_something(view.render())
+    UsdGeom.Imageable(instancer).MakeInvisible()
+    assert not shows_something(view.render())
+    assert not shows_something(render(stage))
+    UsdGeom.Imageable(instancer).MakeVisible()
+    assert shows_something(view.render())
