@@ -205,12 +205,8 @@ void Scene::_NumberMaterials() {
     for (const Shape* shape : _shown) {
         std::vector<int>& numbers = _materialsOfShapes.emplace_back();
         for (const std::string& name : shape->Materials().Names()) {
-            const auto found = names.find(name);
-            numbers.push_back(found == names.end()
-                                  ? -1
-                                  : static_cast<int>(std::lower_bound(_materialNames.begin(),
-                                                                      _materialNames.end(), name) -
-                                                     _materialNames.begin()));
+            const auto place = std::lower_bound(_materialNames.begin(), _materialNames.end(), name);
+            numbers.push_back(name.empty() ? -1 : static_cast<int>(place - _materialNames.begin()));
         }
     }
 }
@@ -224,23 +220,22 @@ void Scene::SetTime(float time) {
     if (!IsMoving()) {
         return;
     }
-    _time = time;
     for (const auto& shape : _shapes) {
         if (shape->_IsShown()) {
             shape->_Pose(time);
         }
     }
-    tbb::parallel_for(size_t(0), _origins.size(), [&](size_t i) { _MoveInstance(i); });
+    tbb::parallel_for(size_t(0), _origins.size(), [&](size_t i) { _MoveInstance(i, time); });
 }
 
 /// Where a place has no transform between two poses, the shape is shown as it is at time 0.
-void Scene::_MoveInstance(size_t instance) {
+void Scene::_MoveInstance(size_t instance, float time) {
     const Origin origin = _origins[instance];
     const Shape& shape = *_shown[origin.shape];
     const Placement& placement = shape._placement;
     const Geometry& geometry = *shape.BuiltGeometry();
     Instance moved;
-    if (placement.IsMoving() && (IsPlaced(placement, geometry, origin.index, _time, &moved) ||
+    if (placement.IsMoving() && (IsPlaced(placement, geometry, origin.index, time, &moved) ||
                                  IsPlaced(placement, geometry, origin.index, 0, &moved))) {
         _instances.Move(instance, moved.objectToWorld, moved.worldToObject);
     }

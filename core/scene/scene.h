@@ -93,7 +93,7 @@ class Scene {
     void _NumberSurfaces(const std::vector<Shape*>& shapes);
     /// Instances of what is shown, and their origins.
     std::vector<Instance> _PlaceInstances();
-    void _MoveInstance(size_t instance);
+    void _MoveInstance(size_t instance, float time);
     void _NumberMaterials();
     void _Tessellate(std::optional<int> level, std::vector<std::string>* lines);
 
@@ -116,7 +116,6 @@ class Scene {
     std::vector<std::vector<int>> _materialsOfShapes;
     std::optional<int> _tessellationLevel;
     bool _tessellationFits = true;
-    float _time = 0;
     /// Only the counts of work and the time; the rest is added up when asked for.
     Statistics _work;
 };

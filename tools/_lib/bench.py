@@ -8,27 +8,24 @@ from typing import Any
 
 from . import bench_scenes, bench_table, pictures
 from .bench_suites import SUITES
-from .console import CommandError, OneLineParser, error
+from .console import CommandError, OneLineParser, exit_code_of
 
 
 def main(arguments: list[str]) -> int:
     """Runs the command; returns its exit code."""
-    try:
-        options = _parse(arguments)
-        suite = SUITES[options.suite]
-        rows = suite.run(options)
-        print(bench_table.as_text(rows, suite.columns))
-        if options.json:
-            _write_json(rows, options.json)
-        if options.markdown:
-            bench_table.update_page(options.suite, rows, suite.columns, arguments)
-        return 0
-    except CommandError as failure:
-        error(str(failure))
-        return failure.exit_code
-    except KeyboardInterrupt:
-        error("interrupted")
-        return 130
+    return exit_code_of(lambda: _run(arguments))
+
+
+def _run(arguments: list[str]) -> int:
+    options = _parse(arguments)
+    suite = SUITES[options.suite]
+    rows = suite.run(options)
+    print(bench_table.as_text(rows, suite.columns))
+    if options.json:
+        _write_json(rows, options.json)
+    if options.markdown:
+        bench_table.update_page(options.suite, rows, suite.columns, arguments)
+    return 0
 
 
 def _parse(arguments: list[str]) -> argparse.Namespace:

@@ -2,6 +2,7 @@
 
 import argparse
 import sys
+from collections.abc import Callable
 
 
 class CommandError(Exception):
@@ -17,6 +18,18 @@ class OneLineParser(argparse.ArgumentParser):
 
     def error(self, message: str) -> None:
         raise CommandError(f"{message} (see {self.prog} --help)", 2)
+
+
+def exit_code_of(command: Callable[[], int]) -> int:
+    """Runs a command. One that fails or is interrupted says so in one line on stderr."""
+    try:
+        return command()
+    except CommandError as failure:
+        error(str(failure))
+        return failure.exit_code
+    except KeyboardInterrupt:
+        error("interrupted")
+        return 130
 
 
 def error(message: str) -> None:

@@ -9,23 +9,20 @@ import sys
 from contextlib import ExitStack
 
 from . import build, diagnostics, pictures, record_options
-from .console import CommandError, error
+from .console import error, exit_code_of
 from .progress import ProgressBar
 from .record_options import RecordOptions
 
 
 def main(arguments: list[str]) -> int:
     """Runs the command; returns its exit code."""
-    try:
-        options = record_options.parse(arguments)
-        signal.signal(signal.SIGTERM, _stop)
-        return _record(options)
-    except CommandError as failure:
-        error(str(failure))
-        return failure.exit_code
-    except KeyboardInterrupt:
-        error("interrupted")
-        return 130
+    return exit_code_of(lambda: _run(arguments))
+
+
+def _run(arguments: list[str]) -> int:
+    options = record_options.parse(arguments)
+    signal.signal(signal.SIGTERM, _stop)
+    return _record(options)
 
 
 def _stop(*_: object) -> None:

@@ -5,7 +5,7 @@ import sys
 import time
 
 from . import test_lint, test_programs, test_python, test_sanitize
-from .console import CommandError, OneLineParser, error
+from .console import CommandError, OneLineParser, exit_code_of
 from .test_stage import Outcome, Settings, Stage
 
 #: All stages, in the order in which they run. A stage waits for what it needs to have passed.
@@ -30,19 +30,16 @@ STAGES = (
 
 def main(arguments: list[str]) -> int:
     """Runs the command; returns its exit code."""
-    try:
-        options = _parse(arguments)
-        if options.fix:
-            return test_lint.fix()
-        if options.update_baselines:
-            return test_python.update_baselines()
-        return _run_all(_chosen(options), Settings(changed_only=options.part == "quick"))
-    except CommandError as failure:
-        error(str(failure))
-        return failure.exit_code
-    except KeyboardInterrupt:
-        error("interrupted")
-        return 130
+    return exit_code_of(lambda: _run_command(arguments))
+
+
+def _run_command(arguments: list[str]) -> int:
+    options = _parse(arguments)
+    if options.fix:
+        return test_lint.fix()
+    if options.update_baselines:
+        return test_python.update_baselines()
+    return _run_all(_chosen(options), Settings(changed_only=options.part == "quick"))
 
 
 def _parse(arguments: list[str]) -> argparse.Namespace:

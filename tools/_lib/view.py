@@ -6,24 +6,21 @@ import subprocess
 import sys
 
 from . import build, diagnostics, sdk, sdk_setup, view_options
-from .console import CommandError, error
+from .console import CommandError, exit_code_of
 
 _DISPLAYS = ("DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM")
 
 
 def main(arguments: list[str]) -> int:
     """Runs the command; returns its exit code."""
-    try:
-        options = view_options.parse(arguments)
-        if not any(os.environ.get(name) for name in _DISPLAYS):
-            raise CommandError("there is no display: DISPLAY is not set")
-        return _view(options)
-    except CommandError as failure:
-        error(str(failure))
-        return failure.exit_code
-    except KeyboardInterrupt:
-        error("interrupted")
-        return 130
+    return exit_code_of(lambda: _run(arguments))
+
+
+def _run(arguments: list[str]) -> int:
+    options = view_options.parse(arguments)
+    if not any(os.environ.get(name) for name in _DISPLAYS):
+        raise CommandError("there is no display: DISPLAY is not set")
+    return _view(options)
 
 
 def _view(options: view_options.ViewOptions) -> int:
